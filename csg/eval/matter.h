@@ -1,0 +1,51 @@
+// matter.h — material, light and lens as the author wrote them. Presets and scattering live in tracer/light.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "csg/base/vec.h"
+#include "csg/lang/source.h"
+
+namespace whittle {
+
+// Every parameter the author may name; unset ones are filled by an inner material(), else by the preset.
+// `color` is sRGB 0..1 with alpha; `absorption` and `emission` are linear Rec.709; `absorption` per mm.
+struct Material {
+    std::optional<std::string> preset;
+    std::optional<Vec4> color;
+    std::optional<double> roughness, metal, ior, transmission, dispersion, priority;
+    std::optional<Vec3> absorption, emission;
+
+    bool names_surface() const { return color || roughness || metal; }
+    bool operator==(const Material&) const = default;
+};
+
+// `outer` wins parameter by parameter.
+Material nested(const Material& outer, const Material& inner);
+
+// Lights in world space, transformed when evaluated. Colours sRGB 0..1. An unset power: "lights a white matte surface at the
+// model's centre to white". Angles in degrees.
+struct PointLight { Vec3 p{0}; Vec3 color{1}; std::optional<double> power; double radius = 0; };
+struct SunLight { Vec3 direction{0, 0, -1}; Vec3 color{1}; std::optional<double> irradiance; double angle_deg = 0; };
+struct AreaLight { Vec3 p{0}; Vec3 u{1, 0, 0}; Vec3 v{0, 1, 0}; Vec3 color{1}; std::optional<double> power; };
+struct EnvironmentLight { Vec3 color{1}; std::string file; double intensity = 1; Vec3 rotate_deg{0}; };
+
+struct Light {
+    std::variant<PointLight, SunLight, AreaLight, EnvironmentLight> what;
+    SourcePlace place;
+};
+
+// `fov_deg` vertical; `aperture` a diameter in mm (0: pinhole); unset focus: |target - eye|; exposure in stops.
+struct Camera {
+    Vec3 eye{0}, target{0}, up{0, 0, 1};
+    double fov_deg = 22.5;
+    double aperture = 0;
+    std::optional<double> focus;
+    bool orthographic = false;
+    double exposure = 0;
+    SourcePlace place;
+};
+
+}  // namespace whittle

@@ -1,0 +1,90 @@
+// scene.h — the evaluated scene: a tree that keeps what the author wrote (places in the text, colours, modifiers, author's order).
+//
+// The evaluator makes it, canonicalise (csg/eval/canonicalise.h) turns it into the solid. Nothing here is simplified: a `.csg` dump is a walk over it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "csg/base/vec.h"
+#include "csg/eval/matter.h"
+#include "csg/lang/source.h"
+
+namespace whittle {
+
+using SceneNodeId = std::uint32_t;
+
+// $fn, $fa, $fs in force where a node was evaluated.
+struct Facets { double fn = 0, fa = 12, fs = 2; bool operator==(const Facets&) const = default; };
+
+namespace scene {
+
+// Primitives: lengths in mm, as given, already converted and defaulted. Sizes may be <= 0 or not finite: canonicalise drops those with a message.
+struct Cube { Vec3 size{1}; bool center = false; };
+struct Sphere { double r = 1; };
+struct Cylinder { double h = 1, r1 = 1, r2 = 1; bool center = false; };
+struct Polyhedron { std::vector<Vec3> points; std::vector<std::vector<std::int64_t>> faces; int convexity = 1; };  // faces clockwise from outside
+struct Square { Vec2 size{1}; bool center = false; };
+struct Circle { double r = 1; };
+struct Polygon { std::vector<Vec2> points; std::vector<std::vector<std::int64_t>> paths; int convexity = 1; };  // no paths: all points in order
+struct Torus { double r1 = 1, r2 = 0.5; };
+struct Ellipsoid { Vec3 r{1}; };
+struct HalfSpace { Vec3 n{0, 0, 1}; double d = 0; };
+struct Quadric { std::array<double, 10> c{}; };
+struct Capsule { Vec3 p{0}, q{0, 0, 1}; double r = 1; };
+struct RoundCube { Vec3 size{1}; double r = 0; bool center = false; };
+
+// Maps and operations; the operands are the node's children (each container is an implicit union of them).
+struct Group { std::string name; };  // "group", a user module, for, if, children ... 
+struct Union {};
+struct Difference {};
+struct Intersection {};
+struct Hull {};
+struct Minkowski { int convexity = 0; };
+struct Transform { Placement placement; };
+struct Color { Vec4 rgba{1}; };          // alpha included; a component of -1: not set by this color()
+struct Matter { Material material; };
+struct LinearExtrude { double height = 100; bool center = false; double twist_deg = 0; Vec2 scale{1}; std::optional<int> slices; int convexity = 1; };
+struct RotateExtrude { double angle_deg = 360; double start_deg = 180; int convexity = 2; };
+struct Render { int convexity = 1; };
+struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; };
+struct Offset { double delta = 0; bool round = true; bool chamfer = false; };
+struct Projection { bool cut = false; };
+struct Part { std::string name; };
+struct Moving { Placement start, end; };
+
+// A module that is known but cannot be made into a solid yet: kept in the tree so that it can be said with its place.
+struct Unsupported { std::string name; };
+
+using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
+                          Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Matter, LinearExtrude, RotateExtrude, Render, Resize, Offset,
+                          Projection, Part, Moving, Unsupported>;
+
+}  // namespace scene
+
+enum Modifier : std::uint8_t { kBackground = 1, kHighlight = 2, kRoot = 4 };  // %, #, !
+
+struct SceneNode {
+    scene::What what;
+    std::vector<SceneNodeId> children;
+    SourcePlace place;
+    Facets facets;
+    std::uint8_t modifiers = 0;
+};
+
+// View variables assigned at file level ($vpr, $vpt, $vpd, $vpf); unset where the author said nothing.
+struct ViewVariables { std::optional<Vec3> rotation_deg, target; std::optional<double> distance, fov_deg; };
+
+struct Scene {
+    std::vector<SceneNode> nodes;  // children before parents is not promised; ids index this
+    SceneNodeId root = 0;          // always a Group; a `!` is already resolved: the root is then a group around that node
+    std::vector<Light> lights;
+    std::optional<Camera> camera;
+    ViewVariables view;
+};
+
+}  // namespace whittle

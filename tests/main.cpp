@@ -1,0 +1,3 @@
+// main.cpp — Catch2's main, compiled once and linked into every test program.
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>

@@ -1,0 +1,86 @@
+// engine.h — answers what a ray meets in a solid: first hit, any hit, all spans.
+//
+// A Program is built once from a solid, immutable, and shared by all threads; each thread brings its own Scratch.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csg/base/result.h"
+#include "csg/base/vec.h"
+#include "csg/solid/solid.h"
+#include "csg/span/ray.h"
+
+namespace whittle {
+
+struct EngineOptions {
+    bool snap = true;  // numerics: the one documented snap
+    std::vector<std::string> disabled_passes;
+};
+
+// Work done by one thread; add up with +=. Names follow docs/command-line (--stats).
+struct EngineCounters {
+    std::uint64_t primitive_tests = 0;
+    std::uint64_t spans_evaluated = 0;
+    std::uint64_t escalated_double_double = 0;
+    std::uint64_t escalated_exact = 0;
+    std::uint64_t uncertified = 0;
+    EngineCounters& operator+=(const EngineCounters& o);
+};
+
+// What reading the solid did (once): fusions by the snap and displacements.
+struct BuildReport {
+    std::uint64_t leaves = 0, kept = 0, classes = 0;
+    std::uint64_t snap_fused = 0;
+    double snap_largest = 0;
+    double largest_displacement = 0;
+    std::vector<std::string> warnings;
+};
+
+// A leaf use: one shape of the solid as the author placed it. `material` is the whole path's, outermost winning.
+struct LeafUse {
+    Material material;
+    SourcePlace place;
+    bool subtracts = false;
+};
+
+// First border met from outside to inside; or the exit if the ray starts inside (`from_inside`).
+struct Hit {
+    End end;
+    Vec3 point{0};
+    bool from_inside = false;
+    Departure departure;  // the event's tied classes: hand it to the continuation ray
+};
+
+class Program;
+
+// Per-thread memory of the queries. Not shared between threads; reusable with any program.
+class Scratch {
+public:
+    Scratch();
+    ~Scratch();
+    Scratch(Scratch&&) noexcept;
+    Scratch& operator=(Scratch&&) noexcept;
+    EngineCounters counters;
+
+    struct Impl;
+    std::unique_ptr<Impl> impl;
+};
+
+// Fails (kScene) where the root is unbounded in a way no query can answer, or holds a shape the engine cannot meet yet.
+Result<std::shared_ptr<const Program>> compile(const Solid& solid, const EngineOptions& options = {});
+
+const BuildReport& build_report(const Program& program);
+const std::vector<LeafUse>& leaf_uses(const Program& program);
+Bounds program_bounds(const Program& program);
+
+// First border with 0 <= t <= t_max.
+bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch, Hit& hit);
+// Is any point with 0 < t < t_max inside the solid?
+bool any_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch);
+// All maximal spans of t >= 0, in order.
+void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& spans);
+
+}  // namespace whittle
