@@ -1,0 +1,119 @@
+// render.h — rendering: a pure function of (program, scene, options, tile) to pixels, and the loop around it.
+//
+// render_tile() continues the sums of one tile from sample `begin` to `end`; everything it reads is immutable, everything it writes is handed in.
+// render() calls it over tiles on all cores, in passes of doubling sample counts, so that it can be stopped, watched, resumed and
+// shared out. The bytes depend on neither the number of threads nor the passes.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "csg/base/result.h"
+#include "csg/eval/scene.h"
+#include "tracer/engine/engine.h"
+#include "tracer/image/film.h"
+#include "tracer/image/filter.h"
+#include "tracer/light/camera.h"
+
+namespace whittle {
+
+// In order of cost. kAuto picks the cheapest that shows all matter, light and lens of the scene.
+enum class Integrator { kAuto, kPreview, kWhitted, kDistributed, kPath, kCaustics, kCone };
+std::string_view integrator_name(Integrator kind);
+// "preview", "whitted", ...; "auto" too.
+std::optional<Integrator> integrator_named(std::string_view name);
+
+// kXray: brightness falls with the thickness of the solid along the ray.
+enum class Look { kShaded, kXray };
+
+// A part of the tiles: those whose number leaves the remainder `index` when divided by `count`.
+struct Shard { int index = 0, count = 1; };
+
+// Requires: width, height, samples, max_depth, light_samples >= 1; 0 <= shard.index < shard.count; region inside the picture.
+struct RenderOptions {
+    int width = 512, height = 512;
+    int samples = 16;
+    int light_samples = 1;  // shadow rays a light and hit
+    int max_depth = 16;     // mirrors and refractions one after the other
+    Integrator integrator = Integrator::kAuto;
+    Look look = Look::kShaded;
+    bool edges = false;                  // dark lines where neighbours meet other solids, surfaces or steps
+    FilterKind filter = FilterKind::kGaussian;
+    AovSet aovs = 0;
+    std::uint64_t seed = 0;
+    std::optional<TileRegion> region;    // --tile
+    Shard shard;
+    double noise = 0;                    // stop a tile when its estimated error (of display luminance) is below; 0: never
+    double stop_after_s = 0;             // stop after the pass that passes this time; 0: never
+    int threads = 0;                     // 0: all cores
+    std::optional<Vec3> background;      // sRGB 0..1; else the studio's gradient or the environment
+    std::vector<std::string> disabled_passes;
+};
+
+// What evaluation found beside the solid.
+struct RenderScene {
+    std::vector<Light> lights;
+    std::optional<Camera> camera;
+    ViewVariables view;
+    CameraSpec camera_spec;  // the command line's --camera, --viewall ...
+};
+
+struct RenderProgress {
+    double done = 0;  // 0..1 of all samples asked for
+    double elapsed_s = 0;
+    int samples_finished = 0;
+};
+
+// Handed in by the caller, read and called by render(). `stop`: finish the first pass, then return what there is. `abort`: return at once.
+// `progress` is called from one thread at a time, about ten times a second.
+struct RenderControl {
+    std::atomic<bool> stop{false};
+    std::atomic<bool> abort{false};
+    std::function<void(const RenderProgress&)> progress;
+};
+
+// Names follow docs/command-line (--stats).
+struct RenderCounters {
+    std::uint64_t camera = 0, shadow = 0, reflection = 0, refraction = 0, diffuse = 0;
+    std::uint64_t photons = 0, media_stack = 0, normals = 0, wavelengths = 0;
+    std::uint64_t skipped_shadows = 0, skipped_media = 0, skipped_lens = 0;
+    EngineCounters engine;
+    RenderCounters& operator+=(const RenderCounters& o);
+};
+
+struct RenderResult {
+    Film film;
+    double exposure = 0;                           // of the scene's camera, in stops: add to --exposure
+    Integrator integrator = Integrator::kPreview;  // the one used
+    int samples_finished = 0;                      // of every pixel
+    bool interrupted = false;
+    double seconds = 0;
+    RenderCounters counters;
+    std::vector<std::string> warnings;
+};
+
+// Everything a tile needs: program, resolved matter, lights, lens, sampler. Immutable, shared by all threads.
+class Stage;
+
+// kCommand: a camera of neither 6 nor 7 numbers, options out of range, an integrator that is not there.
+Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options);
+
+// Adds samples begin <= i < end to the pixels of `tile`, and its planes when begin is 0. `film` is touched in `tile` only. Returns false where `abort`
+// became true: the tile is then as it was.
+bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film,
+                 const std::atomic<bool>* abort = nullptr);
+
+// The tiles of the picture (or of its region and shard), in the order they are drawn.
+std::vector<TileRegion> tiles_of(const RenderOptions& options);
+
+// The whole picture. `resume`: a film of the same options whose sums are continued.
+Result<RenderResult> render(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options, RenderControl& control,
+                            const Film* resume = nullptr);
+
+}  // namespace whittle
