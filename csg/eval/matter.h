@@ -23,7 +23,20 @@ struct Material {
 };
 
 // `outer` wins parameter by parameter.
-Material nested(const Material& outer, const Material& inner);
+inline Material nested(const Material& outer, const Material& inner) {
+    const auto first = [](const auto& a, const auto& b) { return a ? a : b; };
+    return {first(outer.preset, inner.preset),         first(outer.color, inner.color),
+            first(outer.roughness, inner.roughness),   first(outer.metal, inner.metal),
+            first(outer.ior, inner.ior),               first(outer.transmission, inner.transmission),
+            first(outer.dispersion, inner.dispersion), first(outer.priority, inner.priority),
+            first(outer.absorption, inner.absorption), first(outer.emission, inner.emission)};
+}
+
+// Can light enter what is made of it? Then its place among overlapping solids matters (numerics: labels are not sets).
+inline bool is_clear(const Material& material) {
+    const std::string preset = material.preset.value_or("");
+    return material.transmission.value_or(0) > 0 || material.priority || preset == "glass" || preset == "water" || preset == "diamond";
+}
 
 // Lights in world space, transformed when evaluated. Colours sRGB 0..1. An unset power: "lights a white matte surface at the
 // model's centre to white". Angles in degrees.

@@ -10,8 +10,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -79,7 +79,8 @@ using Shape = std::variant<shape::Box, shape::Ellipsoid, shape::Frustum, shape::
                            shape::RoundBox, shape::FacetedBall, shape::FacetedFrustum, shape::Polyhedron, shape::Extrusion, shape::Revolution,
                            shape::Disc, shape::Rectangle, shape::Polygon>;
 
-// What a use adds to the node it uses. Materials nest: the outermost wins, parameter by parameter (nested() in matter.h).
+// What a use adds to the node it uses. Materials nest: the outermost wins, parameter by parameter (nested() in matter.h). The place is that of the
+// primitive and stands on the use of its shape; a label further out has none (line 0), and its part, if any, wins over those within.
 struct Label {
     Material material;
     SourcePlace place;
@@ -90,6 +91,8 @@ struct Label {
 // A motion over the shutter: the placement at time 0 and at time 1 (rigid part interpolated on the screw, see tracer/engine).
 struct Motion { Placement start, end; bool operator==(const Motion&) const = default; };
 
+// A point of the node goes through the motion, then through the placement. A use carries one placement of the author's; a chain whose product
+// would round is a chain of unions of one use, so that the engine can multiply it exactly.
 struct Use {
     NodeId node = kEmptyNode;
     LabelId label = kNoLabel;
@@ -139,25 +142,86 @@ private:
 // Box around a placed box, outward rounded.
 Bounds placed_bounds(const Bounds& box, const Placement& placement);
 
+// The box of a use in the frame above it: its node's, moved and placed.
+Bounds use_bounds(const Bounds& node_box, const Use& use, const Motion& motion);
+
+// Open-addressed table from hashes to ids; the caller compares what the ids stand for. Insertion order decides nothing.
+class IdTable {
+public:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    // The id of an entry with this hash for which same(id) holds, else kNone.
+    template <class Same>
+    std::uint32_t find(std::uint64_t hash, Same same) const {
+        if (slots_.empty()) return kNone;
+        for (std::size_t i = hash & (slots_.size() - 1);; i = (i + 1) & (slots_.size() - 1)) {
+            if (slots_[i].id == kNone) return kNone;
+            if (slots_[i].hash == hash && same(slots_[i].id)) return slots_[i].id;
+        }
+    }
+    void insert(std::uint64_t hash, std::uint32_t id);
+    void reserve(std::size_t entries);
+
+private:
+    struct Slot { std::uint64_t hash; std::uint32_t id; };
+    void put(Slot slot);
+    std::vector<Slot> slots_;  // a power of two of them, at most two thirds full
+    std::size_t used_ = 0;
+};
+
+// The skips made while a solid is built. Each leaves the set and its labels as they are.
+struct SolidPasses {
+    bool equal = true;     // A-A, A&A, A|A
+    bool disjoint = true;  // cutters that miss, intersections of disjoint boxes
+    bool buried = true;    // parts inside a box
+};
+struct SkipCounts { std::uint64_t equal = 0, disjoint = 0, buried = 0; };
+
 // Makes a solid bottom-up. Laws: shape(s) == shape(s); combine simplifies what needs no geometry: A-A, A&0, A|0 -> A, a union of one
-// unlabelled identity use is that use's node, equal operands of a union or intersection once, operands whose boxes are disjoint.
+// unlabelled identity use is that use's node, equal operands of a union or intersection once, operands whose boxes are disjoint,
+// (A|B)|C -> A|B|C and likewise for & and for the first operand of -, where the inner use is unlabelled and in place.
+// An operand is dropped only where its matter cannot show (same materials, or nothing clear in either).
 class SolidBuilder {
 public:
-    SolidBuilder();
+    explicit SolidBuilder(SolidPasses passes = {});
+    // Requires: finite numbers and the sizes solid.h asks for; a profile is 2D. kEmptyNode where the shape certainly has no inside.
     NodeId shape(Shape shape);
+    // Requires: operands all 2D or all 3D; finite placements with a determinant that is not zero.
     NodeId combine(SetOp op, std::vector<Use> operands);
     LabelId label(Label label);
     MotionId motion(Motion motion);
+    // `outer` on top of `use`: placements folded where that is exact, else `use` is wrapped.
+    Use placed(const Placement& outer, Use use);
+    // `outer` around the use's own label.
+    Use labelled(const Label& outer, Use use);
     const Bounds& bounds(NodeId id) const { return solid_.bounds_[id]; }
+    Bounds bounds(const Use& use) const { return use_bounds(bounds(use.node), use, solid_.motions_[use.motion]); }
     bool is_2d(NodeId id) const { return solid_.flat_[id]; }
-    // The builder is spent afterwards.
+    const Node& node(NodeId id) const { return solid_.nodes_[id]; }
+    const Label& label_of(LabelId id) const { return solid_.labels_[id]; }
+    // The solid as it is now, for those who need to look at part of it; root() is the empty node.
+    const Solid& so_far() const { return solid_; }
+    const SkipCounts& skipped() const { return skipped_; }
+    // Nodes that the root does not reach are dropped. The builder is spent afterwards.
     Solid finish(Use root);
 
 private:
-    NodeId intern(Node node);
+    NodeId intern(Node node, std::uint64_t hash, const Bounds& bounds, bool flat, bool plain);
+    NodeId geometry_of(NodeId id);
+    std::optional<Use> folded(const Use& outer) const;
+    void flatten(SetOp op, std::vector<Use>& operands);
+    bool drop_empty(SetOp op, std::vector<Use>& operands) const;
+    bool subtracts_itself(SetOp op, const std::vector<Use>& operands);
+    void drop_equal(SetOp op, std::vector<Use>& operands);
+    bool drop_disjoint(SetOp op, std::vector<Use>& operands);
+    bool drop_buried(SetOp op, std::vector<Use>& operands);
+    bool same_set(const Use& a, const Use& b) const;
+    bool may_absorb(const Use& kept, const Use& dropped) const;
+
+    SolidPasses passes_;
+    SkipCounts skipped_;
     Solid solid_;
-    std::unordered_multimap<std::uint64_t, NodeId> by_hash_;
-    std::unordered_multimap<std::uint64_t, LabelId> labels_by_hash_;
+    std::vector<bool> plain_;  // per node: no label within names anything clear
+    IdTable nodes_by_hash_, geometry_by_hash_, labels_by_hash_, motions_by_hash_;
 };
 
 }  // namespace whittle
