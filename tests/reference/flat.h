@@ -1,0 +1,68 @@
+// flat.h — 2D nodes as formulas, at a point of the plane whose coordinates are polynomials (extrusion) or numbers A + B rho (revolution).
+#pragma once
+
+#include <cassert>
+
+#include "csg/solid/solid.h"
+#include "tests/reference/formula.h"
+
+namespace whittle::reference {
+
+template <class Number>
+class FlatFormula {
+public:
+    FlatFormula(Formulas& formulas, const FlatPoint<Number>& p) : f_(formulas), p_(p) {}
+
+    ExpressionId operator()(const shape::Disc& s) { return f_.negative(p_.x * p_.x + p_.y * p_.y - (Dyadic(s.r) * Dyadic(s.r)) * (p_.w * p_.w)); }
+
+    ExpressionId operator()(const shape::Rectangle& s) {
+        return f_.all({f_.positive(p_.x - Dyadic(s.lo.x) * p_.w), f_.negative(p_.x - Dyadic(s.hi.x) * p_.w), f_.positive(p_.y - Dyadic(s.lo.y) * p_.w),
+                       f_.negative(p_.y - Dyadic(s.hi.y) * p_.w)});
+    }
+
+    // Parity of the edges that the half-line towards +x crosses.
+    ExpressionId operator()(const shape::Polygon& s) {
+        std::vector<ExpressionId> crossed;
+        for (const auto& contour : *s.contours)
+            for (std::size_t i = 0; i < contour.size(); ++i) {
+                const Vec2 &a = contour[i], &b = contour[(i + 1) % contour.size()];
+                if (a.y == b.y) continue;
+                const Vec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
+                const Number left = (Dyadic(high.x) - Dyadic(low.x)) * (p_.y - Dyadic(low.y) * p_.w) -
+                                    (Dyadic(high.y) - Dyadic(low.y)) * (p_.x - Dyadic(low.x) * p_.w);
+                crossed.push_back(f_.all({f_.positive(p_.y - Dyadic(low.y) * p_.w), f_.negative(p_.y - Dyadic(high.y) * p_.w), f_.positive(left)}));
+            }
+        return f_.odd(std::move(crossed));
+    }
+
+    template <class Solid3d>
+    ExpressionId operator()(const Solid3d&) {
+        assert(false && "a 3D shape in a 2D node");
+        return f_.never();
+    }
+
+private:
+    Formulas& f_;
+    const FlatPoint<Number>& p_;
+};
+
+inline ExpressionId combined(Formulas& f, SetOp op, const std::vector<ExpressionId>& operands) {
+    if (operands.empty()) return f.never();
+    if (op == SetOp::kUnion) return f.any(operands);
+    if (op == SetOp::kIntersection) return f.all(operands);
+    std::vector<ExpressionId> parts{operands[0]};
+    for (std::size_t i = 1; i < operands.size(); ++i) parts.push_back(f.none(operands[i]));
+    return f.all(std::move(parts));
+}
+
+template <class Number>
+ExpressionId flat_formula(Formulas& f, const Solid& solid, NodeId id, const FlatPoint<Number>& p) {
+    const Node& node = solid.node(id);
+    if (const auto* shape = std::get_if<Shape>(&node)) return std::visit(FlatFormula<Number>(f, p), *shape);
+    const auto& combination = std::get<Combination>(node);
+    std::vector<ExpressionId> operands;
+    for (const Use& use : combination.operands) operands.push_back(flat_formula(f, solid, use.node, pulled_back(p, exact(use.placement))));
+    return combined(f, combination.op, operands);
+}
+
+}  // namespace whittle::reference

@@ -1,0 +1,138 @@
+// reference.cpp — see reference.h.
+#include "tests/reference/reference.h"
+
+#include <algorithm>
+
+#include "tests/reference/on_ray.h"
+#include "tests/reference/shapes.h"
+
+namespace whittle::reference {
+
+namespace {
+
+constexpr long kBits = 200;
+
+// A support on a ray: its roots, and its sign before the first, between neighbours, and after the last.
+struct Trace {
+    std::vector<Root> roots;
+    std::vector<int> signs;
+};
+
+Trace trace(const Polynomial& p) {
+    Trace t;
+    if (!p.is_zero()) t.roots = real_roots(p, kBits);
+    if (t.roots.empty()) {
+        t.signs = {p.sign_at(Dyadic())};
+        return t;
+    }
+    t.signs.push_back(p.sign_at(t.roots.front().lo - Dyadic(1.0)));
+    for (std::size_t i = 1; i < t.roots.size(); ++i) t.signs.push_back(p.sign_at(middle(t.roots[i - 1].hi, t.roots[i].lo)));
+    t.signs.push_back(p.sign_at(t.roots.back().hi + Dyadic(1.0)));
+    return t;
+}
+
+// Root number `root` of support `support`.
+struct Event {
+    std::uint32_t support, root;
+};
+
+// The events of all supports, ascending, equal ones in one group.
+std::vector<std::vector<Event>> grouped(std::vector<Trace>& traces) {
+    std::vector<Event> events;
+    for (std::uint32_t s = 0; s < traces.size(); ++s)
+        for (std::uint32_t r = 0; r < traces[s].roots.size(); ++r) events.push_back({s, r});
+    const auto order = [&](const Event& a, const Event& b) {
+        if (a.support == b.support) return a.root <=> b.root;
+        return compare(traces[a.support].roots[a.root], traces[b.support].roots[b.root]);
+    };
+    std::stable_sort(events.begin(), events.end(), [&](const Event& a, const Event& b) { return order(a, b) < 0; });
+    std::vector<std::vector<Event>> groups;
+    for (const Event& e : events) {
+        if (!groups.empty() && order(groups.back().back(), e) == 0) groups.back().push_back(e);
+        else groups.push_back({e});
+    }
+    return groups;
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Solid& solid, const Options& options) : options_(options) {
+    const Matrix identity = exact(Placement{});
+    root_ = grow(solid, solid.root(), identity);
+    if (options_.fuse > 0) fused_ = formulas_.fuse(options_.fuse);
+    readers_.resize(formulas_.supports().size());
+    for (std::uint32_t i = 0; i < leaves_.size(); ++i)
+        for (const std::uint32_t s : formulas_.reads(leaves_[i])) readers_[s].push_back(i);
+}
+
+std::size_t Evaluator::grow(const Solid& solid, const Use& use, const Matrix& outer) {
+    const Matrix placed = outer * exact(use.placement);
+    Branch branch;
+    if (const auto* shape = std::get_if<Shape>(&solid.node(use.node))) {
+        branch.is_leaf = true;
+        branch.leaf = static_cast<std::uint32_t>(leaves_.size());
+        const FormPoint world{Form::variable(0), Form::variable(1), Form::variable(2), Form(1.0)};
+        leaves_.push_back(shape_formula(formulas_, solid, *shape, pulled_back(world, options_.round_chains ? rounded(placed) : placed)));
+    } else {
+        const auto& combination = std::get<Combination>(solid.node(use.node));
+        branch.op = combination.op;
+        for (const Use& operand : combination.operands) branch.operands.push_back(grow(solid, operand, placed));
+    }
+    branches_.push_back(std::move(branch));
+    return branches_.size() - 1;
+}
+
+bool Evaluator::holds(std::size_t id, const std::vector<bool>& leaf_holds) const {
+    const Branch& b = branches_[id];
+    if (b.is_leaf) return leaf_holds[b.leaf];
+    if (b.operands.empty()) return false;
+    const auto operand_holds = [&](std::size_t o) { return holds(o, leaf_holds); };
+    switch (b.op) {
+        case SetOp::kUnion: return std::any_of(b.operands.begin(), b.operands.end(), operand_holds);
+        case SetOp::kIntersection: return std::all_of(b.operands.begin(), b.operands.end(), operand_holds);
+        case SetOp::kDifference: return operand_holds(b.operands[0]) && std::none_of(b.operands.begin() + 1, b.operands.end(), operand_holds);
+    }
+    return false;
+}
+
+Borders Evaluator::borders(const Ray& ray) const {
+    OnRay on_ray(ray);
+    std::vector<Trace> traces(readers_.size());
+    std::vector<int> signs(readers_.size());
+    for (std::size_t s = 0; s < readers_.size(); ++s) {
+        if (readers_[s].empty()) continue;
+        traces[s] = trace(on_ray.along(formulas_.supports()[s]));
+        signs[s] = traces[s].signs[0];
+    }
+    std::vector<bool> leaf_holds(leaves_.size());
+    for (std::size_t i = 0; i < leaves_.size(); ++i) leaf_holds[i] = formulas_.holds(leaves_[i], signs);
+
+    Borders result;
+    bool inside = holds(root_, leaf_holds);
+    result.starts_inside = inside;
+    for (const std::vector<Event>& group : grouped(traces)) {
+        const Root* first = &traces[group[0].support].roots[group[0].root];
+        std::vector<std::uint32_t> touched;
+        for (const Event& e : group) {
+            signs[e.support] = traces[e.support].signs[e.root + 1];
+            touched.insert(touched.end(), readers_[e.support].begin(), readers_[e.support].end());
+        }
+        std::sort(touched.begin(), touched.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        Border border{first->lo, first->hi, true, {}};
+        for (const std::uint32_t leaf : touched) {
+            const bool now = formulas_.holds(leaves_[leaf], signs);
+            if (now != leaf_holds[leaf]) border.leaves.push_back(leaf);
+            leaf_holds[leaf] = now;
+        }
+        const bool now_inside = holds(root_, leaf_holds);
+        const bool at_or_before_zero = first->lo.sign() < 0 || first->is_zero();
+        border.entering = now_inside;
+        if (now_inside != inside && first->lo.sign() >= 0 && (now_inside || !first->is_zero())) result.borders.push_back(std::move(border));
+        inside = now_inside;
+        if (at_or_before_zero) result.starts_inside = inside;
+    }
+    return result;
+}
+
+}  // namespace whittle::reference

@@ -1,0 +1,67 @@
+// reference.h — the slow, obvious, exact answer to "where does a ray cross the borders of a solid".
+//
+// A solid is one boolean formula over the signs of polynomials in its root frame (formula.h). On a ray each polynomial is one in t; between two
+// neighbouring roots of all of them no sign changes, so the formula is evaluated once there, and a border is a root where its value changes.
+// Everything is exact: no tolerance anywhere, except `fuse`, which imitates the documented snap before any ray is asked.
+//
+// It shares with the engine the solid, the ray, and the vectors of csg/span/perturbation.h, and nothing else.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csg/solid/solid.h"
+#include "csg/span/ray.h"
+#include "tests/reference/formula.h"
+#include "tests/reference/polynomial.h"
+
+namespace whittle::reference {
+
+struct Options {
+    bool round_chains = true;  // a chain of placements is multiplied exactly and rounded once to twelve doubles; otherwise never rounded
+    double fuse = 0;           // supports whose coefficients agree to this relative difference are one
+};
+
+// The exact t lies in [lo, hi], which is at most 2^-200 of |t| wide. `leaves`: those whose own membership changes here, in author's order.
+struct Border {
+    Dyadic lo, hi;
+    bool entering = true;
+    std::vector<std::uint32_t> leaves;
+};
+
+struct Borders {
+    bool starts_inside = false;  // just after t = 0; then the first border is an exit unless the ray enters exactly at 0
+    std::vector<Border> borders; // t >= 0, ascending; one that leaves exactly at 0 is not among them
+};
+
+class Evaluator {
+public:
+    // Requires has_formula(solid) (shapes.h).
+    explicit Evaluator(const Solid& solid, const Options& options = {});
+
+    Borders borders(const Ray& ray) const;
+    std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
+    int fused() const { return fused_; }
+
+private:
+    // The set operations over the leaves. A leaf has no operands.
+    struct Branch {
+        SetOp op = SetOp::kUnion;
+        std::uint32_t leaf = 0;
+        bool is_leaf = false;
+        std::vector<std::size_t> operands;
+    };
+
+    std::size_t grow(const Solid& solid, const Use& use, const Matrix& outer);
+    bool holds(std::size_t branch, const std::vector<bool>& leaf_holds) const;
+
+    Options options_;
+    Formulas formulas_;
+    std::vector<Branch> branches_;
+    std::size_t root_ = 0;
+    std::vector<ExpressionId> leaves_;                 // each leaf's formula
+    std::vector<std::vector<std::uint32_t>> readers_;  // by support: the leaves that read it
+    int fused_ = 0;
+};
+
+}  // namespace whittle::reference
