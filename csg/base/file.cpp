@@ -46,9 +46,10 @@ std::string resolved(const std::string& path) {
 }  // namespace
 
 std::string temporary_name(const std::string& path) {
-    const auto slash = path.rfind('/');
+    const std::string target = resolved(path);
+    const auto slash = target.rfind('/');
     const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
-    return path.substr(0, name) + "." + path.substr(name) + ".whittle-" + std::to_string(::getpid());
+    return target.substr(0, name) + "." + target.substr(name) + ".whittle-" + std::to_string(::getpid());
 }
 
 Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
@@ -65,9 +66,7 @@ Result<void> write_file_atomically(const std::string& path, std::string_view byt
     const std::string temporary = temporary_name(target);
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, exists ? old.st_mode & 07777 : 0666);
     if (file < 0) return fail_with_reason("cannot write", path, errno);
-    int reason = write_all(file, bytes);
-    if (reason == 0 && ::fsync(file) != 0) reason = errno;
-    if (::close(file) != 0 && reason == 0) reason = errno;
+    int reason = write_and_close(file, bytes);
     if (reason == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
     if (reason == 0) return {};
     ::unlink(temporary.c_str());
