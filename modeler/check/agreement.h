@@ -21,6 +21,7 @@
 #include "csg/base/result.h"
 #include "csg/solid/solid.h"
 #include "modeler/check/measure.h"
+#include "modeler/mesh/mesh.h"
 #include "tracer/engine/engine.h"
 
 namespace whittle {
@@ -68,8 +69,8 @@ struct Agreement {
     EngineCounters counters;
 };
 
-// `mesh` is closed and oriented as FacetList says (planar facets; coordinates in the root frame). Same bytes at any thread count.
+// `mesh` is closed and oriented, in the root frame. `tolerance` and `rounding` are those of its MeshResult. Same bytes at any thread count.
 // Fails with kScene where the solid is unbounded or the mesh is not usable (indices out of range), with kInterrupted where `cancel` became true.
-Result<Agreement> check_agreement(const Solid& solid, const Program& program, const FacetList& mesh, const AgreementOptions& options);
+Result<Agreement> check_agreement(const Solid& solid, const Program& program, const Mesh& mesh, const AgreementOptions& options);
 
 }  // namespace whittle
