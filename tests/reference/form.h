@@ -53,6 +53,8 @@ inline Form operator*(const Dyadic& p, const Form& q) { return Form(p) * q; }
 struct FormPoint {
     Form x, y, z, w;
 };
+inline FormPoint root_frame_point() { return {Form::variable(0), Form::variable(1), Form::variable(2), Form(1.0)}; }
+
 template <class Number>
 struct FlatPoint {
     Number x, y, w;

@@ -22,27 +22,26 @@ Form primitive(const Form& f) {
     return r;
 }
 
-bool nearly_equal(const Form& f, const Form& g, double relative) {
-    const auto largest = [](const Form& h) {
-        Dyadic most;
-        for (const auto& [m, c] : h.terms())
-            if (most < abs(c)) most = abs(c);
-        return most;
-    };
-    const Dyadic a = largest(f), b = largest(g);  // compare f/a with g/b
-    for (const int sign : {1, -1}) {
-        const Form difference = Form(b) * f - Form(a * Dyadic(double(sign))) * g;
-        const Dyadic limit = Dyadic(relative) * a * b;
-        if (std::all_of(difference.terms().begin(), difference.terms().end(), [&](const auto& t) { return abs(t.second) <= limit; })) return true;
-    }
-    return false;
+// The coefficients over the largest, in double: fusing is a matter of closeness, not of exactness.
+using Outline = std::map<Monomial, double>;
+
+Outline outline(const Form& f) {
+    Dyadic most;
+    for (const auto& [m, c] : f.terms())
+        if (most < abs(c)) most = abs(c);
+    Outline r;
+    for (const auto& [m, c] : f.terms()) r[m] = c.scaled(-most.top()).to_double() / most.scaled(-most.top()).to_double();
+    return r;
 }
 
-bool opposed(const Form& f, const Form& g) {
-    Dyadic product;
-    for (const auto& [m, c] : f.terms())
-        if (const auto at = g.terms().find(m); at != g.terms().end()) product += c * at->second;
-    return product.sign() < 0;
+bool nearly_equal(const Outline& f, const Outline& g, double sign, double relative) {
+    const auto close = [&](const Outline& a, const Outline& b) {
+        return std::all_of(a.begin(), a.end(), [&](const auto& t) {
+            const auto at = b.find(t.first);
+            return std::abs(t.second - sign * (at == b.end() ? 0 : at->second)) <= relative;
+        });
+    };
+    return close(f, g) && close(g, f);
 }
 
 }  // namespace
@@ -75,22 +74,24 @@ ExpressionId Formulas::negative(const Surd& s) {
 }
 
 int Formulas::fuse(double relative) {
+    std::vector<Outline> outlines;
+    for (const Form& f : supports_) outlines.push_back(outline(f));
     std::vector<std::uint32_t> into(supports_.size());
     std::vector<bool> turned(supports_.size());
     int fused = 0;
     for (std::uint32_t i = 0; i < supports_.size(); ++i) {
         into[i] = i;
-        for (std::uint32_t j = 0; j < i && into[i] == i; ++j)
-            if (into[j] == j && nearly_equal(supports_[j], supports_[i], relative)) {
-                into[i] = j;
-                turned[i] = opposed(supports_[j], supports_[i]);
-                ++fused;
-            }
+        for (std::uint32_t j = 0; j < i && into[i] == i; ++j) {
+            turned[i] = nearly_equal(outlines[j], outlines[i], -1, relative);
+            if (into[j] != j || !(turned[i] || nearly_equal(outlines[j], outlines[i], 1, relative))) continue;
+            into[i] = j;
+            ++fused;
+        }
     }
     for (Expression& e : expressions_) {
         const bool negative = e.kind == Expression::Kind::kNegative;
         if (!negative && e.kind != Expression::Kind::kPositive) continue;
-        if (turned[e.support]) e.kind = negative ? Expression::Kind::kPositive : Expression::Kind::kNegative;
+        if (into[e.support] != e.support && turned[e.support]) e.kind = negative ? Expression::Kind::kPositive : Expression::Kind::kNegative;
         e.support = into[e.support];
     }
     return fused;

@@ -54,36 +54,40 @@ std::vector<std::vector<Event>> grouped(std::vector<Trace>& traces) {
     return groups;
 }
 
-}  // namespace
-
-Evaluator::Evaluator(const Solid& solid, const Options& options) : options_(options) {
-    const Matrix identity = exact(Placement{});
-    root_ = grow(solid, solid.root(), identity);
-    if (options_.fuse > 0) fused_ = formulas_.fuse(options_.fuse);
-    readers_.resize(formulas_.supports().size());
-    for (std::uint32_t i = 0; i < leaves_.size(); ++i)
-        for (const std::uint32_t s : formulas_.reads(leaves_[i])) readers_[s].push_back(i);
-}
-
-std::size_t Evaluator::grow(const Solid& solid, const Use& use, const Matrix& outer) {
+// The branch of a use below the placements `outer`.
+std::size_t grow(Tree& tree, const Solid& solid, const Use& use, const Matrix& outer, const Options& options) {
     const Matrix placed = outer * exact(use.placement);
     Branch branch;
     if (const auto* shape = std::get_if<Shape>(&solid.node(use.node))) {
         branch.is_leaf = true;
-        branch.leaf = static_cast<std::uint32_t>(leaves_.size());
-        const FormPoint world{Form::variable(0), Form::variable(1), Form::variable(2), Form(1.0)};
-        leaves_.push_back(shape_formula(formulas_, solid, *shape, pulled_back(world, options_.round_chains ? rounded(placed) : placed)));
+        branch.leaf = static_cast<std::uint32_t>(tree.leaves.size());
+        const FormPoint p = pulled_back(root_frame_point(), options.round_chains ? rounded(placed) : placed);
+        tree.leaves.push_back(shape_formula(tree.formulas, solid, *shape, p));
     } else {
         const auto& combination = std::get<Combination>(solid.node(use.node));
         branch.op = combination.op;
-        for (const Use& operand : combination.operands) branch.operands.push_back(grow(solid, operand, placed));
+        for (const Use& operand : combination.operands) branch.operands.push_back(grow(tree, solid, operand, placed, options));
     }
-    branches_.push_back(std::move(branch));
-    return branches_.size() - 1;
+    tree.branches.push_back(std::move(branch));
+    return tree.branches.size() - 1;
+}
+
+}  // namespace
+
+Tree tree_of(const Solid& solid, const Options& options) {
+    Tree tree;
+    tree.root = grow(tree, solid, solid.root(), exact(Placement{}), options);
+    if (options.fuse > 0) tree.formulas.fuse(options.fuse);
+    return tree;
+}
+
+Evaluator::Evaluator(Tree tree) : tree_(std::move(tree)), readers_(tree_.formulas.supports().size()) {
+    for (std::uint32_t i = 0; i < leaf_count(); ++i)
+        for (const std::uint32_t s : tree_.formulas.reads(tree_.leaves[i])) readers_[s].push_back(i);
 }
 
 bool Evaluator::holds(std::size_t id, const std::vector<bool>& leaf_holds) const {
-    const Branch& b = branches_[id];
+    const Branch& b = tree_.branches[id];
     if (b.is_leaf) return leaf_holds[b.leaf];
     if (b.operands.empty()) return false;
     const auto operand_holds = [&](std::size_t o) { return holds(o, leaf_holds); };
@@ -101,14 +105,14 @@ Borders Evaluator::borders(const Ray& ray) const {
     std::vector<int> signs(readers_.size());
     for (std::size_t s = 0; s < readers_.size(); ++s) {
         if (readers_[s].empty()) continue;
-        traces[s] = trace(on_ray.along(formulas_.supports()[s]));
+        traces[s] = trace(on_ray.along(tree_.formulas.supports()[s]));
         signs[s] = traces[s].signs[0];
     }
-    std::vector<bool> leaf_holds(leaves_.size());
-    for (std::size_t i = 0; i < leaves_.size(); ++i) leaf_holds[i] = formulas_.holds(leaves_[i], signs);
+    std::vector<bool> leaf_holds(tree_.leaves.size());
+    for (std::size_t i = 0; i < tree_.leaves.size(); ++i) leaf_holds[i] = tree_.formulas.holds(tree_.leaves[i], signs);
 
     Borders result;
-    bool inside = holds(root_, leaf_holds);
+    bool inside = holds(tree_.root, leaf_holds);
     result.starts_inside = inside;
     for (const std::vector<Event>& group : grouped(traces)) {
         const Root* first = &traces[group[0].support].roots[group[0].root];
@@ -121,11 +125,11 @@ Borders Evaluator::borders(const Ray& ray) const {
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         Border border{first->lo, first->hi, true, {}};
         for (const std::uint32_t leaf : touched) {
-            const bool now = formulas_.holds(leaves_[leaf], signs);
+            const bool now = tree_.formulas.holds(tree_.leaves[leaf], signs);
             if (now != leaf_holds[leaf]) border.leaves.push_back(leaf);
             leaf_holds[leaf] = now;
         }
-        const bool now_inside = holds(root_, leaf_holds);
+        const bool now_inside = holds(tree_.root, leaf_holds);
         const bool at_or_before_zero = first->lo.sign() < 0 || first->is_zero();
         border.entering = now_inside;
         if (now_inside != inside && first->lo.sign() >= 0 && (now_inside || !first->is_zero())) result.borders.push_back(std::move(border));

@@ -34,34 +34,38 @@ struct Borders {
     std::vector<Border> borders; // t >= 0, ascending; one that leaves exactly at 0 is not among them
 };
 
+// The set operations over the leaves. A leaf has no operands.
+struct Branch {
+    SetOp op = SetOp::kUnion;
+    bool is_leaf = false;
+    std::uint32_t leaf = 0;
+    std::vector<std::size_t> operands;
+};
+
+// A solid as formulas: what each leaf is, and what the leaves make.
+struct Tree {
+    Formulas formulas;
+    std::vector<ExpressionId> leaves;
+    std::vector<Branch> branches;
+    std::size_t root = 0;
+};
+
+// Leaves in author's order. Requires has_formula(solid) (shapes.h).
+Tree tree_of(const Solid& solid, const Options& options = {});
+
 class Evaluator {
 public:
-    // Requires has_formula(solid) (shapes.h).
-    explicit Evaluator(const Solid& solid, const Options& options = {});
+    explicit Evaluator(Tree tree);
+    explicit Evaluator(const Solid& solid, const Options& options = {}) : Evaluator(tree_of(solid, options)) {}
 
     Borders borders(const Ray& ray) const;
-    std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
-    int fused() const { return fused_; }
+    std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(tree_.leaves.size()); }
 
 private:
-    // The set operations over the leaves. A leaf has no operands.
-    struct Branch {
-        SetOp op = SetOp::kUnion;
-        std::uint32_t leaf = 0;
-        bool is_leaf = false;
-        std::vector<std::size_t> operands;
-    };
-
-    std::size_t grow(const Solid& solid, const Use& use, const Matrix& outer);
     bool holds(std::size_t branch, const std::vector<bool>& leaf_holds) const;
 
-    Options options_;
-    Formulas formulas_;
-    std::vector<Branch> branches_;
-    std::size_t root_ = 0;
-    std::vector<ExpressionId> leaves_;                 // each leaf's formula
+    Tree tree_;
     std::vector<std::vector<std::uint32_t>> readers_;  // by support: the leaves that read it
-    int fused_ = 0;
 };
 
 }  // namespace whittle::reference

@@ -213,9 +213,8 @@ TEST_CASE("a chain of rotations is rounded once, and fuses with the rotation it 
     const Solid solid = b.finish(use_of(nothing));
     Options fused;
     fused.fuse = 1e-13;
-    const Evaluator loose(solid, fused);
-    CHECK(loose.fused() == 4);
-    CHECK(loose.borders(ray({-3, 0.1, 0.2}, {1, 0.1, 0})).borders.empty());
+    CHECK(tree_of(solid).formulas.fuse(1e-13) == 4);
+    CHECK(Evaluator(solid, fused).borders(ray({-3, 0.1, 0.2}, {1, 0.1, 0})).borders.empty());
     Options unrounded;
     unrounded.round_chains = false;
     CHECK_FALSE(Evaluator(solid, unrounded).borders(ray({-3, 0.1, 0.2}, {1, 0.1, 0})).borders.empty());
