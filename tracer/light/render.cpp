@@ -1,0 +1,193 @@
+// render.cpp — the loop around the pure tile function: passes, threads, stopping, progress.
+#include "tracer/light/render.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "tracer/image/tone.h"
+#include "tracer/light/stage.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr int kTileSize = 16;
+constexpr double kSecondsBetweenReports = 0.1;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// What a thread brings along.
+struct Worker {
+    Scratch scratch;
+    RenderCounters counters;
+};
+
+// Largest estimated standard error of display luminance (sRGB curve) in a tile.
+double tile_error(const Film& film, TileRegion tile) {
+    double worst = 0;
+    for (int y = tile.y; y < tile.y + tile.height; ++y)
+        for (int x = tile.x; x < tile.x + tile.width; ++x) {
+            const std::size_t i = film.index(x, y);
+            const double mean = luminance(film.color(i)), error = std::sqrt(film.variance(i));
+            worst = std::max(worst, linear_to_srgb(std::min(1.0, mean + error)) - linear_to_srgb(std::min(1.0, mean)));
+        }
+    return worst;
+}
+
+class Rendering {
+public:
+    Rendering(const Stage& stage, RenderControl& control, Film film)
+        : stage_(stage), control_(control), film_(std::move(film)), tiles_(tiles_of(stage.options)), done_(tiles_.size(), 0) {
+        for (std::size_t i = 0; i < tiles_.size(); ++i) done_[i] = static_cast<int>(film_.pixels[film_.index(tiles_[i].x, tiles_[i].y)].samples);
+        for (int n : done_) samples_before_ += n;
+    }
+
+    RenderResult run() {
+        const int samples = stage_.options.samples;
+        bool first = true;
+        for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < 4 ? goal + 1 : goal + goal / 2)) {
+            if (!first && stopped()) break;
+            pass(goal, first);
+            if (control_.abort) break;
+            first = false;
+            if (goal == samples) break;
+            if (stage_.options.stop_after_s > 0 && seconds_since(start_) > stage_.options.stop_after_s) break;
+        }
+        return finished();
+    }
+
+private:
+    bool stopped() const { return control_.stop || control_.abort; }
+
+    // Brings every tile that still needs it to `goal` samples. The first pass goes on when asked to stop: a picture is whole or nothing.
+    void pass(int goal, bool first) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.size(), 1), [&](const tbb::blocked_range<std::size_t>& range) {
+            Worker& worker = workers_.local();
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                if (control_.abort || (!first && control_.stop)) return;
+                draw(i, goal, worker);
+            }
+        });
+    }
+
+    void draw(std::size_t i, int goal, Worker& worker) {
+        const int from = done_[i];
+        if (from >= goal || calm(i)) return;
+        if (!render_tile(stage_, tiles_[i], from, goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
+        done_[i] = goal;
+        samples_drawn_ += goal - from;
+        report();
+    }
+
+    // Good enough by --noise. A tile needs some samples before its estimate means anything.
+    bool calm(std::size_t i) const {
+        constexpr int kLeastSamples = 8;
+        return stage_.options.noise > 0 && done_[i] >= kLeastSamples && tile_error(film_, tiles_[i]) < stage_.options.noise;
+    }
+
+    void report() {
+        if (!control_.progress) return;
+        const std::unique_lock<std::mutex> lock(report_mutex_, std::try_to_lock);
+        const double now = seconds_since(start_);
+        if (!lock || now - reported_at_ < kSecondsBetweenReports) return;
+        reported_at_ = now;
+        const double all = static_cast<double>(tiles_.size()) * stage_.options.samples;
+        control_.progress({static_cast<double>(samples_before_ + samples_drawn_) / all, now, 0});
+    }
+
+    RenderResult finished() {
+        RenderResult r;
+        for (const Worker& worker : workers_) {
+            RenderCounters counters = worker.counters;
+            counters.engine += worker.scratch.counters;
+            r.counters += counters;
+        }
+        if (std::vector<float>& plane = film_.planes[static_cast<std::size_t>(Aov::kVariance)]; !plane.empty())
+            for (std::size_t i = 0; i < film_.pixels.size(); ++i) plane[i] = static_cast<float>(film_.variance(i));
+        r.samples_finished = tiles_.empty() ? 0 : *std::min_element(done_.begin(), done_.end());
+        r.interrupted = stopped();
+        r.film = std::move(film_);
+        r.exposure = stage_.lens.exposure;
+        r.integrator = stage_.integrator;
+        r.warnings = stage_.warnings;
+        r.seconds = seconds_since(start_);
+        if (control_.progress) control_.progress({1, r.seconds, r.samples_finished});
+        return r;
+    }
+
+    const Stage& stage_;
+    RenderControl& control_;
+    Film film_;
+    std::vector<TileRegion> tiles_;
+    std::vector<int> done_;  // samples a tile has
+    tbb::enumerable_thread_specific<Worker> workers_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::int64_t samples_before_ = 0;
+    std::atomic<std::int64_t> samples_drawn_{0};
+    std::mutex report_mutex_;
+    double reported_at_ = 0;
+};
+
+void count_skips(const Stage& stage, RenderCounters& c) {
+    if (!stage.needs.shadows) c.skipped_shadows = c.camera;
+    if (!stage.needs.see_through) c.skipped_media = c.camera;
+    if (!stage.needs.lens) c.skipped_lens = c.camera;
+}
+
+}  // namespace
+
+RenderCounters& RenderCounters::operator+=(const RenderCounters& o) {
+    camera += o.camera;
+    shadow += o.shadow;
+    reflection += o.reflection;
+    refraction += o.refraction;
+    diffuse += o.diffuse;
+    photons += o.photons;
+    media_stack += o.media_stack;
+    normals += o.normals;
+    wavelengths += o.wavelengths;
+    skipped_shadows += o.skipped_shadows;
+    skipped_media += o.skipped_media;
+    skipped_lens += o.skipped_lens;
+    engine += o.engine;
+    return *this;
+}
+
+std::vector<TileRegion> tiles_of(const RenderOptions& options) {
+    const TileRegion all = options.region.value_or(TileRegion{0, 0, options.width, options.height});
+    std::vector<TileRegion> tiles;
+    int number = 0;
+    // The grid is the picture's, not the region's: a tile's bytes never depend on which region asked for it.
+    for (int y = all.y / kTileSize * kTileSize; y < all.y + all.height; y += kTileSize)
+        for (int x = all.x / kTileSize * kTileSize; x < all.x + all.width; x += kTileSize) {
+            if (number++ % options.shard.count != options.shard.index) continue;
+            const int x0 = std::max(x, all.x), y0 = std::max(y, all.y);
+            tiles.push_back({x0, y0, std::min(x + kTileSize, all.x + all.width) - x0, std::min(y + kTileSize, all.y + all.height) - y0});
+        }
+    return tiles;
+}
+
+Result<RenderResult> render(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options, RenderControl& control, const Film* resume) {
+    const Result<std::shared_ptr<const Stage>> stage = prepare(std::move(program), scene, options);
+    if (!stage) return tl::unexpected<Error>(stage.error());
+    const bool fits = resume && resume->width == options.width && resume->height == options.height && resume->aovs == options.aovs;
+    if (resume && !fits) return fail(Fault::kCommand, "The rendering to resume has another size or other planes");
+    Rendering rendering(**stage, control, resume ? *resume : Film(options.width, options.height, options.aovs));
+    RenderResult result;
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] { result = rendering.run(); });
+    count_skips(**stage, result.counters);
+    return result;
+}
+
+}  // namespace whittle

@@ -1,0 +1,40 @@
+// stage.h — everything a tile needs, resolved once: matter, lights, lens, sampler.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/image/filter.h"
+#include "tracer/light/lights.h"
+#include "tracer/light/render.h"
+#include "tracer/light/surface.h"
+#include "tracer/light/surroundings.h"
+
+namespace whittle {
+
+// What the scene holds, so that passes nobody needs are left out.
+struct StageNeeds {
+    bool shadows = true;      // some light casts them
+    bool see_through = false; // glass or coverage: shadow rays are followed, not asked
+    bool mirrors = false;
+    bool glossy = false;      // rough mirrors or rough glass
+    bool soft_lights = false; // with a size
+    bool lens = false;        // an aperture
+};
+
+class Stage {
+public:
+    std::shared_ptr<const Program> program;
+    RenderOptions options;
+    Integrator integrator = Integrator::kWhitted;
+    std::vector<Surface> surfaces;  // by leaf use
+    std::vector<LightSource> lights;
+    Surroundings surroundings;
+    Lens lens;
+    FilterSampler filter{FilterKind::kGaussian};
+    StageNeeds needs;
+    double thickness_scale = 1;  // of --xray, mm
+    std::vector<std::string> warnings;
+};
+
+}  // namespace whittle
