@@ -15,12 +15,14 @@ struct CanonicaliseOptions {
     Curves curves = Curves::kAuto;
     int exact_threshold = 32;  // --curves=exact:N
     bool preview = false;      // draw # and %
+    SolidPasses passes;
 };
 
 struct Canonical {
     Solid solid;
     bool is_2d = false;
     bool something_left_out = false;  // a module not there yet, mixed dimensions, dropped geometry: exit code 1
+    SkipCounts skipped;
 };
 
 // Never fails: what cannot be made is left out with a diagnostic and `something_left_out`. `outside` may be null.

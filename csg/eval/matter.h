@@ -11,7 +11,7 @@
 namespace whittle {
 
 // Every parameter the author may name; unset ones are filled by an inner material(), else by the preset.
-// `color` is sRGB 0..1 with alpha; `absorption` and `emission` are linear Rec.709; `absorption` per mm.
+// `color` is sRGB 0..1 with alpha, a component below 0 is not set; `absorption` and `emission` are linear Rec.709; `absorption` per mm.
 struct Material {
     std::optional<std::string> preset;
     std::optional<Vec4> color;
@@ -22,10 +22,17 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-// `outer` wins parameter by parameter.
+// `outer` wins parameter by parameter; a component of a colour below 0 was not set and shows the inner one.
+inline std::optional<Vec4> nested(const std::optional<Vec4>& outer, const std::optional<Vec4>& inner) {
+    if (!outer || !inner) return outer ? outer : inner;
+    Vec4 c = *outer;
+    for (int i = 0; i < 4; ++i)
+        if (c[i] < 0) c[i] = (*inner)[i];
+    return c;
+}
 inline Material nested(const Material& outer, const Material& inner) {
     const auto first = [](const auto& a, const auto& b) { return a ? a : b; };
-    return {first(outer.preset, inner.preset),         first(outer.color, inner.color),
+    return {first(outer.preset, inner.preset),         nested(outer.color, inner.color),
             first(outer.roughness, inner.roughness),   first(outer.metal, inner.metal),
             first(outer.ior, inner.ior),               first(outer.transmission, inner.transmission),
             first(outer.dispersion, inner.dispersion), first(outer.priority, inner.priority),

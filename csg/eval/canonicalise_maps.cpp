@@ -1,0 +1,163 @@
+// canonicalise_maps.cpp — linear_extrude and rotate_extrude: maps of a 2D set that commute with set operations, so the set stays as it is.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "csg/eval/canonicaliser.h"
+#include "csg/solid/facets.h"
+#include "csg/solid/placement.h"
+#include "csg/solid/profile.h"
+#include "csg/solid/support.h"
+
+namespace whittle {
+namespace {
+
+// A placement that keeps the plane z = 0 moves an upright extrusion just as it moves the profile.
+const Shape* single_shape(const SolidBuilder& builder, NodeId id) { return std::get_if<Shape>(&builder.node(id)); }
+
+// The upright extrusion of a rectangle or disc as the shape it is.
+Shape upright(const SolidBuilder& builder, const shape::Extrusion& e) {
+    const Shape* profile = single_shape(builder, e.profile);
+    if (const auto* r = profile ? std::get_if<shape::Rectangle>(profile) : nullptr) return shape::Box{{r->lo.x, r->lo.y, e.z0}, {r->hi.x, r->hi.y, e.z1}};
+    if (const auto* d = profile ? std::get_if<shape::Disc>(profile) : nullptr) return shape::Frustum{e.z0, e.z1, d->r, d->r};
+    return e;
+}
+
+bool is_translation_in_plane(const Placement& a) { return a == Placement::translation({a.offset(0), a.offset(1), 0}); }
+
+// The angle as the language reads it: outside (-360, 360] and what is no number mean a full turn.
+double turn_of(double angle_deg) { return angle_deg > -360 && angle_deg <= 360 ? angle_deg : 360; }
+
+}  // namespace
+
+// The union of the 2D children, without labels.
+Use Canonicaliser::profile(SceneNodeId id) {
+    const std::size_t ghosts_before = ghosts_.size();
+    ++profile_depth_;
+    Operands operands;
+    operands.dimension = Dimension::kFlat;
+    collect_union(id, operands);
+    --profile_depth_;
+    ghosts_.resize(ghosts_before);
+    if (operands.uses.size() == 1) return operands.uses[0];
+    Use use;
+    use.node = builder_.combine(SetOp::kUnion, std::move(operands.uses));
+    return use;
+}
+
+Made Canonicaliser::extruded(SceneNodeId id, const scene::LinearExtrude& what) {
+    const SceneNode& node = scene_.nodes[id];
+    Use flat = profile(id);
+    if (flat.node == kEmptyNode || !is_positive(node, "linear_extrude", "height", what.height)) return {};
+    if (!std::isfinite(what.twist_deg) || !std::isfinite(what.scale.x) || !std::isfinite(what.scale.y))
+        return left_out(node.place, "linear_extrude() has a twist or scale that is not finite, left out");
+    shape::Extrusion e{};
+    e.z0 = what.center ? -what.height / 2 : 0;
+    e.z1 = what.center ? what.height / 2 : what.height;
+    e.twist_deg = what.twist_deg;
+    e.scale_top = {std::max(0.0, what.scale.x), std::max(0.0, what.scale.y)};
+    if (e.twist_deg == 0 && e.scale_top == Vec2(1)) {
+        e.profile = flat.node;
+        return leaf(node, upright(builder_, e), flat.placement);
+    }
+    e.profile = node_of(flat);
+    e.slices = slices_of(node, what, e);
+    return leaf(node, e);
+}
+
+// A uniform scale without twist is the same surface in any number of slices.
+int Canonicaliser::slices_of(const SceneNode& node, const scene::LinearExtrude& what, const shape::Extrusion& e) {
+    if (e.twist_deg == 0 && e.scale_top.x == e.scale_top.y) return 0;
+    if (what.slices && *what.slices > 0) return *what.slices;
+    const double radius = glm::length(glm::max(glm::abs(builder_.bounds(e.profile).lo), glm::abs(builder_.bounds(e.profile).hi)));
+    if (facets_of_circle(node, radius) == 0) return 0;
+    const auto contours = contours_of(builder_.so_far(), e.profile, radius * kProfileTolerance);
+    return extrusion_slices(contours, what.height, e.twist_deg, e.scale_top, resolution(node));
+}
+
+// The part of a profile on one side of the axis as a radius >= 0; empty, with a message, where it lies on both.
+Use Canonicaliser::right_of_axis(const SceneNode& node, Use flat, bool& mirrored) {
+    mirrored = false;
+    Bounds box = builder_.bounds(flat);
+    if (box.lo.x >= 0) return flat;
+    if (box.hi.x > 0) {
+        const double room = kProfileTolerance * std::max(-box.lo.x, box.hi.x);
+        double least = 0, most = 0;
+        for (const auto& contour : contours_of(builder_.so_far(), node_of(flat), room))
+            for (const Vec2& p : contour) {
+                least = std::min(least, p.x);
+                most = std::max(most, p.x);
+            }
+        if (least < -room && most > room) {
+            diagnostics_.add(Severity::kError, node.place,
+                             fmt::format("all points for rotate_extrude() must have the same X coordinate sign (range is {:.2f} -> {:.2f})", least, most));
+            something_left_out_ = true;
+            return {};
+        }
+        mirrored = most <= room;
+        Use half;  // what rounding left beyond the axis is cut off
+        half.node = builder_.shape(mirrored ? shape::Rectangle{{box.lo.x, box.lo.y}, {0, box.hi.y}} : shape::Rectangle{{0, box.lo.y}, {box.hi.x, box.hi.y}});
+        Use cut;
+        cut.node = builder_.combine(SetOp::kIntersection, {flat, half});
+        flat = cut;
+    } else {
+        mirrored = true;
+    }
+    if (mirrored) flat = builder_.placed({{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}, flat);
+    return flat;
+}
+
+Made Canonicaliser::revolved(SceneNodeId id, const scene::RotateExtrude& what) {
+    const SceneNode& node = scene_.nodes[id];
+    Use flat = profile(id);
+    const double turn = turn_of(what.angle_deg);
+    if (flat.node == kEmptyNode || turn == 0) return {};
+    bool mirrored = false;
+    flat = right_of_axis(node, flat, mirrored);
+    if (flat.node == kEmptyNode) return {};
+    const double radius = builder_.bounds(flat).hi.x;
+    const bool full = turn == 360;
+    const int around = facets_of_circle(node, radius);
+    shape::Revolution r{};
+    r.angle_deg = std::fabs(turn);
+    r.fragments = around == 0 ? 0 : full ? around : std::max(1, static_cast<int>(around * std::fabs(turn) / 360));
+    if (!full || around > 0) r.start_deg = (std::isfinite(what.start_deg) ? what.start_deg : 0) + (mirrored ? 180 : 0) + std::min(turn, 0.0);
+    r.start_deg -= 360 * std::floor(r.start_deg / 360);
+    // A turned disc beside the axis is a torus.
+    const Shape* single = single_shape(builder_, flat.node);
+    const auto* disc = single ? std::get_if<shape::Disc>(single) : nullptr;
+    if (disc && full && around == 0 && is_translation_in_plane(flat.placement) && flat.placement.offset(0) >= disc->r)
+        return leaf(node, shape::Torus{flat.placement.offset(0), disc->r}, Placement::translation({0, 0, flat.placement.offset(1)}));
+    r.profile = node_of(flat);
+    return leaf(node, r);
+}
+
+// Only what has a box beyond doubt is resized: its factor must not come from a box that is merely large enough.
+Made Canonicaliser::resized(SceneNodeId id, const scene::Resize& what) {
+    const SceneNode& node = scene_.nodes[id];
+    const std::size_t ghosts_before = ghosts_.size();
+    Made made = united(id);
+    if (made.dimension == Dimension::kNone) return {};
+    const auto box = tight_bounds(builder_.so_far(), made.use);
+    if (!box) return left_out(node.place, "resize() of what has no simple box is not supported yet, left out");
+    Vec3 factor(1);
+    double largest = 1, largest_size = 0;
+    for (int i = 0; i < (made.dimension == Dimension::kFlat ? 2 : 3); ++i) {
+        if (!(what.size[i] > 0) || !std::isfinite(what.size[i])) continue;
+        factor[i] = what.size[i] / (box->hi[i] - box->lo[i]);
+        if (what.size[i] > largest_size) {
+            largest_size = what.size[i];
+            largest = factor[i];
+        }
+    }
+    for (int i = 0; i < 3; ++i)
+        if (what.automatic[static_cast<std::size_t>(i)] && what.size[i] == 0 && (i < 2 || made.dimension == Dimension::kSolid)) factor[i] = largest;
+    const Placement scale{{factor.x, 0, 0, 0, 0, factor.y, 0, 0, 0, 0, factor.z, 0}};
+    place_ghosts(ghosts_before, scale);
+    made.use = builder_.placed(scale, made.use);
+    return made;
+}
+
+}  // namespace whittle

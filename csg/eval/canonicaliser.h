@@ -1,0 +1,96 @@
+// canonicaliser.h — the walk from scene to solid, shared by the files that make it; not for others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/eval/canonicalise.h"
+#include "csg/solid/facets.h"
+
+namespace whittle {
+
+// What a scene node became. An empty one has no dimension: it fits anywhere.
+enum class Dimension { kNone, kFlat, kSolid };
+struct Made {
+    Use use;
+    Dimension dimension = Dimension::kNone;
+};
+
+class Canonicaliser {
+public:
+    Canonicaliser(const Scene& scene, const CanonicaliseOptions& options, Outside* outside, Diagnostics& diagnostics);
+    Canonical run();
+
+private:
+    // An operation's operands as they are collected: the first that is not empty decides the dimension, others of another one are refused.
+    struct Operands {
+        std::vector<Use> uses;
+        Dimension dimension = Dimension::kNone;
+        bool mixed = false;
+    };
+
+    struct Visit;
+    Made make(SceneNodeId id);
+    Made make_what(SceneNodeId id);
+    Made united(SceneNodeId id);
+    Made combined(SceneNodeId id, SetOp op);
+    Made made_outside(SceneNodeId id, const char* name);
+    Made transformed(SceneNodeId id, const Placement& placement);
+    Made moving(SceneNodeId id, const scene::Moving& what);
+    Made resized(SceneNodeId id, const scene::Resize& what);
+    Made labelled(SceneNodeId id, Label label);
+    void collect_union(SceneNodeId id, Operands& operands);
+    Operands collect_each(SceneNodeId id);
+    // Whether something of this dimension joins the operands; says why not. What is empty does not.
+    bool accept(Operands& operands, Dimension dimension, SourcePlace place);
+    bool is_background(SceneNodeId id);
+    Made with_dimension(Dimension dimension, NodeId node);
+
+    // Primitives (canonicalise_shapes.cpp).
+    Made primitive(const SceneNode& node, const scene::Cube& what);
+    Made primitive(const SceneNode& node, const scene::Sphere& what);
+    Made primitive(const SceneNode& node, const scene::Cylinder& what);
+    Made primitive(const SceneNode& node, const scene::Polyhedron& what);
+    Made primitive(const SceneNode& node, const scene::Square& what);
+    Made primitive(const SceneNode& node, const scene::Circle& what);
+    Made primitive(const SceneNode& node, const scene::Polygon& what);
+    Made primitive(const SceneNode& node, const scene::Torus& what);
+    Made primitive(const SceneNode& node, const scene::Ellipsoid& what);
+    Made primitive(const SceneNode& node, const scene::HalfSpace& what);
+    Made primitive(const SceneNode& node, const scene::Quadric& what);
+    Made primitive(const SceneNode& node, const scene::Capsule& what);
+    Made primitive(const SceneNode& node, const scene::RoundCube& what);
+    Made leaf(const SceneNode& node, Shape shape, const Placement& placement = {});
+    bool is_positive(const SceneNode& node, const char* module, const char* what, double size);
+
+    // Maps from 2D to 3D (canonicalise_maps.cpp).
+    Made extruded(SceneNodeId id, const scene::LinearExtrude& what);
+    Made revolved(SceneNodeId id, const scene::RotateExtrude& what);
+    Use profile(SceneNodeId id);
+    int slices_of(const SceneNode& node, const scene::LinearExtrude& what, const shape::Extrusion& extrusion);
+    Use right_of_axis(const SceneNode& node, Use profile, bool& mirrored);
+    NodeId node_of(const Use& use);
+
+    // 0 where the true curve is meant, else the number of facets of a circle of radius r.
+    int facets_of_circle(const SceneNode& node, double r);
+    Resolution resolution(const SceneNode& node) const { return {node.facets.fn, node.facets.fa, node.facets.fs}; }
+
+    // Says why something is not in the solid.
+    Made left_out(SourcePlace place, std::string text, std::string hint = {});
+    void add_ghost(const Made& made, Vec4 colour);
+    void place_ghosts(std::size_t first, const Placement& placement);
+    void note_facets();
+
+    const Scene& scene_;
+    CanonicaliseOptions options_;
+    Outside* outside_;
+    Diagnostics& diagnostics_;
+    SolidBuilder builder_;
+    bool something_left_out_ = false;
+    int profile_depth_ = 0;        // inside an extrusion labels mean nothing
+    std::vector<Use> ghosts_;      // what # and % show in a preview, in the frame of the node at work
+    int faceted_solids_ = 0;       // for the note: solids of many facets, and the largest $fn
+    double largest_fn_ = 0;
+};
+
+}  // namespace whittle

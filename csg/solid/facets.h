@@ -1,0 +1,28 @@
+// facets.h — OpenSCAD's facets, vertex for vertex.
+//
+// The formulas are those of OpenSCAD 2021.01 for objects that no boolean has touched; sines and cosines are csg/base/degrees. Facets are
+// counter-clockwise seen from outside and the lists are closed.
+#pragma once
+
+#include <vector>
+
+#include "csg/solid/solid.h"
+
+namespace whittle {
+
+// $fn, $fa and $fs as a formula reads them: $fn > 0 fixes the number; else the finer need of angle and length, at least 5.
+struct Resolution { double fn = 0, fa_deg = 12, fs = 2; };
+
+// OpenSCAD's number of facets of a circle of radius r, at least 3; negative $fn counts as 0, $fa and $fs are at least 0.01.
+int fragments(double r, const Resolution& resolution);
+
+// Contours of a 2D set: outer ones counter-clockwise, holes clockwise, none crossing.
+using Contours = std::vector<std::vector<Vec2>>;
+
+// OpenSCAD's n-gon, first vertex on +x.
+std::vector<Vec2> circle_points(double r, int n);
+
+// OpenSCAD's number of slices of linear_extrude where the author gave none; 1 where the sides are flat.
+int extrusion_slices(const Contours& profile, double height, double twist_deg, Vec2 scale_top, const Resolution& resolution);
+
+}  // namespace whittle

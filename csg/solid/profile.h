@@ -1,0 +1,18 @@
+// profile.h — a 2D node as plain contours, for those who need points: facets, meshes, the sign of a profile's radii.
+//
+// Set operations are made by Clipper on an integer grid of about 2^-44 of the profile's size; corners that were there before keep their bits, crossings
+// lie on the grid. The exact tracer never comes here. Arcs become chords no further than the tolerance from the arc, with corners on it.
+#pragma once
+
+#include "csg/solid/facets.h"
+#include "csg/solid/solid.h"
+
+namespace whittle {
+
+// Chord error of profiles as a share of their size where no one asks for another.
+inline constexpr double kProfileTolerance = 0x1p-14;
+
+// The regularised 2D set of the node. Requires: is_2d(node), tolerance > 0.
+Contours contours_of(const Solid& solid, NodeId node, double tolerance);
+
+}  // namespace whittle
