@@ -1,0 +1,84 @@
+// console.cpp — see console.h. One write a message, so that lines of two processes do not mix.
+#include "modeler/cli/console.h"
+
+#include <cstdio>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include "modeler/cli/json.h"
+
+namespace whittle {
+
+namespace {
+
+const char* name_of(Severity severity) {
+    switch (severity) {
+        case Severity::kEcho: return "echo";
+        case Severity::kNote: return "note";
+        case Severity::kTrace: return "trace";
+        case Severity::kDeprecated: return "deprecated";
+        case Severity::kWarning: return "warning";
+        case Severity::kError: return "error";
+    }
+    return "error";
+}
+
+void put(std::string text) {
+    text += '\n';
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+}  // namespace
+
+Console::Console(DiagnosticStyle style, bool quiet) : style_(style), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void Console::tell(const Diagnostics& diagnostics, const SourceTable& sources, std::size_t told) {
+    const auto& all = diagnostics.all();
+    for (std::size_t i = told; i < all.size(); ++i) {
+        if (all[i].severity == Severity::kWarning) warnings_.push_back(all[i].text);
+        if (quiet_ && all[i].severity != Severity::kError) continue;
+        if (style_ == DiagnosticStyle::kJson) {
+            tell_json(all[i], sources);
+            continue;
+        }
+        std::string text = format_line(all[i], sources);
+        if (terminal_)
+            if (const auto caret = format_caret(all[i], sources); !caret.empty()) text += '\n' + caret;
+        if (!all[i].hint.empty()) text += '\n' + all[i].hint;
+        while (!text.empty() && text.back() == '\n') text.pop_back();
+        put(std::move(text));
+    }
+}
+
+void Console::tell_json(const Diagnostic& diagnostic, const SourceTable& sources) {
+    json::Buffer out;
+    json::raw(out, R"({"severity":)");
+    json::string(out, name_of(diagnostic.severity));
+    json::raw(out, R"(,"text":)");
+    json::string(out, diagnostic.text);
+    const bool placed = diagnostic.place.line != 0 && diagnostic.place.file < sources.files.size();
+    if (placed) {
+        json::raw(out, R"(,"file":)");
+        json::string(out, sources.files[diagnostic.place.file].name);
+        fmt::format_to(fmt::appender(out), R"(,"line":{},"column":{})", diagnostic.place.line, diagnostic.place.column);
+    }
+    if (!diagnostic.hint.empty()) {
+        json::raw(out, R"(,"hint":)");
+        json::string(out, diagnostic.hint);
+    }
+    json::raw(out, "}");
+    put(fmt::to_string(out));
+}
+
+void Console::say(Severity severity, std::string_view text) {
+    Diagnostics one;
+    one.add(severity, {}, std::string(text));
+    tell(one, {});
+}
+
+void Console::line(std::string_view text) {
+    if (!quiet_ && style_ == DiagnosticStyle::kText) put(std::string(text));
+}
+
+}  // namespace whittle

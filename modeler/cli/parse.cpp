@@ -1,0 +1,389 @@
+// parse.cpp — the options of every verb, declared once; from this come parsing, --help and the names that completions are tested against.
+//
+// CLI11 splits the words; what a word means (numbers, sizes, names of planes) is read by words.h, so that every message can say what the option wants.
+#include "modeler/cli/parse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "modeler/cli/nearest.h"
+#include "modeler/cli/numbers.h"
+#include "modeler/cli/words.h"
+
+#ifndef WHITTLE_VERSION
+#error "the build names the version"
+#endif
+
+namespace whittle {
+
+namespace {
+
+struct VerbInfo {
+    const char* name;
+    Verb verb;
+    const char* usage;
+    const char* summary;
+};
+
+constexpr VerbInfo kVerbs[] = {
+    {"render", Verb::kRender, "FILE.scad [-o picture.png|.exr|.jpg|.tif]", "Draws the exact solid."},
+    {"mesh", Verb::kMesh, "FILE.scad [-o part.stl|.off|.obj|.ply]", "Writes the solid as a closed triangle mesh (CGAL booleans)."},
+    {"check", Verb::kCheck, "FILE.scad", "Do the exact solid and its mesh agree, within a bound fixed beforehand? Exit code 4 if not."},
+    {"measure", Verb::kMeasure, "FILE.scad", "Volume, area, centroid, inertia and bounds, each with its error."},
+    {"spans", Verb::kSpans, "FILE.scad --ray ox,oy,oz,dx,dy,dz", "What a ray meets: where, on which surface, of which line of the scene."},
+    {"merge", Verb::kMerge, "A.exr B.exr ... -o all.exr", "Puts the shards of one render together."},
+    {"bench", Verb::kBench, "[NAME]", "Run time against error and against peers (needs the program whittle-bench)."},
+};
+
+const VerbInfo* verb_named(std::string_view name) {
+    for (const auto& info : kVerbs)
+        if (name == info.name) return &info;
+    return nullptr;
+}
+
+// One command line in the making: the options being declared, and what they set.
+class Declaration {
+public:
+    Declaration(const VerbInfo* verb, Request& request) : verb_(verb), request_(request) {
+        app_.name("whittle");
+        app_.allow_extras(true);
+        app_.set_help_flag("-h,--help", "Print this and exit");
+        app_.add_flag("-v,--version", version_, "Print the version and exit");
+        if (!verb_ || (verb_->verb != Verb::kBench && verb_->verb != Verb::kMerge)) declare_scene();
+        declare_common();
+        if (!verb_) declare_openscad();
+        if (!verb_ || verb_->verb == Verb::kRender) declare_render();
+        if (!verb_ || verb_->verb == Verb::kMesh || verb_->verb == Verb::kCheck) declare_mesh();
+        if (verb_ && verb_->verb == Verb::kCheck) declare_check();
+        if (verb_ && verb_->verb == Verb::kSpans) declare_spans();
+        const bool writes = !verb_ || verb_->verb == Verb::kRender || verb_->verb == Verb::kMesh || verb_->verb == Verb::kMerge;
+        if (writes) list("-o", "FILE", "Output; its suffix chooses the format. May be given more than once", request_.outputs, "Files");
+        app_.add_option("FILE", request_.inputs, "The scene; - is standard input")->group("Files");
+    }
+
+    CLI::App& app() { return app_; }
+    bool wants_version() const { return version_; }
+    const std::string& refused() const { return refused_; }
+
+private:
+    using Reader = std::function<bool(const std::string&)>;
+
+    // An option with one value, which may be given again; `read` returns false where the value is not what `wants` says.
+    void value(const char* name, const char* wants, const char* help, const char* group, Reader read) {
+        const std::string shown = name, expected = wants;
+        const auto read_all = [=](const std::vector<std::string>& texts) {
+            for (const auto& text : texts)
+                if (!read(text)) throw CLI::ValidationError(shown, fmt::format("{} wants {}, not '{}'", shown, expected, text));
+        };
+        app_.add_option_function<std::vector<std::string>>(name, read_all, help)->type_name(wants)->group(group)->allow_extra_args(false);
+    }
+    void text(const char* name, const char* wants, const char* help, std::string& target, const char* group) {
+        value(name, wants, help, group, [&target](const std::string& t) { return target = t, !t.empty(); });
+    }
+    void list(const char* name, const char* wants, const char* help, std::vector<std::string>& target, const char* group) {
+        app_.add_option(name, target, help)->type_name(wants)->group(group)->allow_extra_args(false);
+    }
+    void flag(const char* name, const char* help, bool& target, const char* group, bool value = true) {
+        app_.add_flag_callback(name, [&target, value] { target = value; }, help)->group(group);
+    }
+    // A number in [least, most].
+    template <class Number>
+    void number(const char* name, const char* wants, const char* help, Number& target, double least, double most, const char* group) {
+        value(name, wants, help, group, [&target, least, most](const std::string& t) {
+            const auto n = number_in(t);
+            if (!n || *n < least || *n > most) return false;
+            if (std::is_integral_v<Number> && *n != std::floor(*n)) return false;
+            target = static_cast<Number>(*n);
+            return true;
+        });
+    }
+    // Named by docs/command-line, its function not there yet: known, so that the message says so instead of "unknown".
+    void not_yet(const char* name, bool takes_value, const char* group) {
+        const std::string shown = name;
+        if (takes_value)
+            app_.add_option_function<std::string>(name, [=, this](const std::string&) { refused_ = shown; }, "(not supported yet)")->group(group);
+        else
+            app_.add_flag_callback(name, [=, this] { refused_ = shown; }, "(not supported yet)")->group(group);
+    }
+
+    void declare_scene();
+    void declare_common();
+    void declare_openscad();
+    void declare_render();
+    void declare_picture();
+    void declare_mesh();
+    void declare_check();
+    void declare_spans();
+
+    const VerbInfo* verb_;
+    Request& request_;
+    CLI::App app_;
+    bool version_ = false;
+    std::string refused_;
+};
+
+constexpr double kMostThreads = 4096, kMostCount = 9007199254740992.0;  // 2^53: every whole number up to it is a double
+
+void Declaration::declare_scene() {
+    constexpr const char* kGroup = "Scene";
+    auto& common = request_.common;
+    list("-D", "NAME=VALUE", "Sets a variable after the scene's own text", common.definitions, kGroup);
+    text("-p", "FILE.json", "File of parameter sets (OpenSCAD's customizer)", common.parameter_file, kGroup);
+    text("-P", "SET", "The set to take from that file", common.parameter_set, kGroup);
+    value("--curves", "auto, exact, exact:N or faceted", "True curves or facets (auto: $fn=0 is a true curve, else facets)", kGroup,
+          [&common](const std::string& t) { return read_curves(t, common.reading); });
+    app_.add_flag_callback("--no-snap", [&common] { common.snap = false; }, "Do not make one of surfaces that agree to the last bits")->group(kGroup);
+    flag("--hardwarnings", "The first warning stops the run", common.hard_warnings, kGroup);
+    flag("--allow-missing", "Carry on without what is not supported yet", common.allow_missing, kGroup);
+    text("-d", "FILE", "Writes the files the scene read, as a make rule", common.dependency_file, kGroup);
+}
+
+void Declaration::declare_common() {
+    constexpr const char* kGroup = "Run";
+    auto& common = request_.common;
+    number("--threads", "N", "Threads; 0 is all cores", common.threads, 0, kMostThreads, kGroup);
+    number("--seed", "N", "Seed of everything random", common.seed, 0, kMostCount, kGroup);
+    value("--progress", "auto, never or json", "A bar on a terminal, a line every ten seconds when piped (auto)", kGroup, [&common](const std::string& t) {
+        common.progress = t == "json" ? ProgressStyle::kJson : t == "never" ? ProgressStyle::kNever : ProgressStyle::kAuto;
+        return t == "auto" || t == "never" || t == "json";
+    });
+    value("--diagnostics", "text or json", "json: one object a line on standard error", kGroup, [&common](const std::string& t) {
+        common.diagnostics = t == "json" ? DiagnosticStyle::kJson : DiagnosticStyle::kText;
+        return t == "text" || t == "json";
+    });
+    flag("--json", "The answer as JSON on standard output", common.json, kGroup);
+    flag("-q", "Print errors only", common.quiet, kGroup);
+    text("--stats", "FILE", "Writes counters of work done; - is standard output", common.stats_file, kGroup);
+    number("--limit-time", "S", "Give up after so many seconds (exit code 3)", common.limit_seconds, 0, 1e9, kGroup);
+    value("--limit-memory", "MB", "Give up at so many megabytes (exit code 3)", kGroup, [&common](const std::string& t) {
+        const auto n = number_in(t);
+        if (!n || *n < 0 || *n > 1e9) return false;
+        common.limit_bytes = static_cast<std::uint64_t>(*n * 1048576.0);
+        return true;
+    });
+    value("--disable", "PASS,PASS", "Switches passes off that only save work", kGroup, [&common](const std::string& t) {
+        for (const auto& name : words_in(t)) common.disabled_passes.push_back(name);
+        return !t.empty();
+    });
+}
+
+void Declaration::declare_openscad() {
+    constexpr const char* kGroup = "OpenSCAD's";
+    auto& common = request_.common;
+    text("--export-format", "F", "Format of the output, instead of its suffix", request_.export_format, kGroup);
+    value("--check-parameters", "true or false", "Warn of unknown and surplus arguments", kGroup, [&common](const std::string& t) {
+        common.check_parameters = t != "false" && t != "0";
+        return t == "true" || t == "false" || t == "1" || t == "0";
+    });
+    flag("--render", "A picture sees $preview = false", request_.full_render, kGroup);
+    flag("--preview", "A picture sees $preview = true (the default)", request_.full_render, kGroup, false);
+    for (const char* name : {"-m", "--view", "--colorscheme", "--csglimit", "--animate", "--check-parameter-ranges", "--summary", "--summary-file",
+                             "--backend", "--enable", "-O", "--debug"})
+        not_yet(name, true, kGroup);
+    not_yet("--info", false, kGroup);
+}
+
+void Declaration::declare_render() {
+    constexpr const char* kGroup = "Picture";
+    auto& render = request_.render;
+    value("--imgsize", "W,H", "Size in pixels (512,512)", kGroup,
+          [&render](const std::string& t) { return read_size(t, render.options.width, render.options.height); });
+    value("--camera", "ex,ey,ez,cx,cy,cz or tx,ty,tz,rx,ry,rz,dist", "Eye and centre, or target, turn and distance", kGroup,
+          [&render](const std::string& t) { return read_camera(t, render.camera.numbers); });
+    flag("--viewall", "Move the eye until everything is in view", render.camera.viewall, kGroup);
+    flag("--autocenter", "Look at the middle of the model", render.camera.autocenter, kGroup);
+    value("--projection", "p or o", "Perspective or orthographic", kGroup, [&render](const std::string& t) {
+        render.camera.orthographic = t == "o" || t == "ortho" || t == "orthographic";
+        return *render.camera.orthographic || t == "p" || t == "perspective";
+    });
+    number("--samples", "N", "Samples a pixel (16)", render.options.samples, 1, 1e9, kGroup);
+    number("--light-samples", "N", "Shadow rays a light and place (1)", render.options.light_samples, 1, 1e6, kGroup);
+    number("--noise", "X", "Stop where the estimated error is below X", render.options.noise, 0, 1e9, kGroup);
+    number("--stop-after", "S", "Stop after S seconds and keep the picture so far", render.options.stop_after_s, 0, 1e9, kGroup);
+    number("--max-depth", "N", "Mirrors and refractions one after the other (16)", render.options.max_depth, 1, 1e6, kGroup);
+    value("--integrator", "auto, preview, whitted, distributed, path, caustics or cone", "How light is followed", kGroup, [&render](const std::string& t) {
+        const auto kind = integrator_named(t);
+        render.options.integrator = kind.value_or(Integrator::kAuto);
+        return kind.has_value();
+    });
+    declare_picture();
+}
+
+void Declaration::declare_picture() {
+    constexpr const char* kGroup = "Picture";
+    auto& render = request_.render;
+    value("--aov", "NAME,NAME", "Further planes of an EXR: depth, position, normal, solid, surface, albedo, spans, thickness, certified, cost, variance", kGroup,
+          [&render](const std::string& t) { return read_planes(t, render.options.aovs); });
+    flag("--edges", "Dark lines along edges", render.options.edges, kGroup);
+    value("--clip", "nx,ny,nz,d", "Keep n.p <= d; cuts are solid. May be given more than once", kGroup,
+          [&render](const std::string& t) { return read_clip(t, render.clips); });
+    app_.add_flag_callback("--xray", [&render] { render.options.look = Look::kXray; }, "Brightness by thickness")->group(kGroup);
+    number("--exposure", "STOPS", "Brightness in stops (0)", render.picture.tone.exposure, -1000, 1000, kGroup);
+    value("--tonemap", "srgb, filmic or linear", "Curve from radiance to eight bits (srgb)", kGroup, [&render](const std::string& t) {
+        const auto map = tonemap_named(t);
+        render.picture.tone.map = map.value_or(Tonemap::kSrgb);
+        return map.has_value();
+    });
+    value("--exr", "half or float", "Type of an EXR's colours (half)", kGroup, [&render](const std::string& t) {
+        render.picture.color_type = t == "float" ? ChannelType::kFloat : ChannelType::kHalf;
+        return t == "half" || t == "float";
+    });
+    flag("--watch", "Render again whenever a file of the scene changes", render.watch, kGroup);
+    value("--tile", "x,y,w,h", "Draw this part of the picture only", kGroup, [&render](const std::string& t) { return read_tile(t, render.options.region); });
+    value("--shard", "k/n", "Draw the k-th of n parts (1/n to n/n); merge puts them together", kGroup,
+          [&render](const std::string& t) { return read_shard(t, render.options.shard); });
+    not_yet("--resume", false, kGroup);
+}
+
+void Declaration::declare_mesh() {
+    constexpr const char* kGroup = "Mesh";
+    auto& mesh = request_.mesh;
+    value("--tolerance", "MM", "Largest distance of a curved face from its facets", kGroup, [&mesh](const std::string& t) {
+        const auto n = number_in(t);
+        mesh.options.tolerance_mm = n;
+        return n && *n > 0;
+    });
+    value("--angle", "DEG", "Largest turn from one facet of a curve to the next", kGroup, [&mesh](const std::string& t) {
+        const auto n = number_in(t);
+        mesh.options.angle_deg = n;
+        return n && *n > 0 && *n <= 120;
+    });
+    for (const char* name : {"--simplify", "--remesh"}) not_yet(name, true, kGroup);
+    if (verb_ && verb_->verb == Verb::kCheck) return;
+    app_.add_flag_callback("--binary", [&mesh] { mesh.encoding = MeshEncoding::kBinary; }, "Binary STL (the default of `mesh`)")->group(kGroup);
+    app_.add_flag_callback("--ascii", [&mesh] { mesh.encoding = MeshEncoding::kAscii; }, "STL in letters (the default of -o in OpenSCAD's form)")->group(kGroup);
+    flag("--report", "Print what validation found", mesh.report, kGroup);
+}
+
+void Declaration::declare_check() {
+    number("--lines", "N", "Lines to shoot (as many as take about a second)", request_.check.lines, 1, kMostCount, "Check");
+    not_yet("--suite", false, "Check");
+}
+
+void Declaration::declare_spans() {
+    constexpr const char* kGroup = "Rays";
+    auto& spans = request_.spans;
+    value("--ray", "ox,oy,oz,dx,dy,dz", "Origin and direction (of any length; t is in units of it)", kGroup,
+          [&spans](const std::string& t) { return read_ray(t, spans.rays); });
+    text("--rays", "FILE", "One ray a line: ox oy oz dx dy dz; - is standard input", spans.rays_file, kGroup);
+}
+
+std::string overview() {
+    std::string text = "whittle: carve solids in text, see them exactly.\n\n    whittle FILE.scad\n";
+    for (const auto& verb : kVerbs) text += fmt::format("    whittle {:<8}{}\n", verb.name, verb.usage);
+    text += "    whittle -o OUT [openscad options] FILE.scad\n\n";
+    for (const auto& verb : kVerbs) text += fmt::format("  {:<8}{}\n", verb.name, verb.summary);
+    return text + "\n`whittle VERB --help` lists a verb's options; below, those of the form without a verb.\n\n";
+}
+
+std::string help_text(const VerbInfo* verb, CLI::App& app) {
+    std::string text = verb ? fmt::format("whittle {} {}\n\n{}\n\n", verb->name, verb->usage, verb->summary) : overview();
+    std::string options = app.help();
+    const auto usage_end = options.find('\n');
+    text += usage_end == std::string::npos ? options : options.substr(usage_end + 1);
+    return text + "\nExit codes: 0 done, 1 the scene is wrong, 2 the command line is wrong, 3 the world is wrong (files, memory, time), "
+                  "4 check found disagreement, 130 interrupted.\n";
+}
+
+std::vector<std::string> names_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+        for (const auto& name : option->get_snames()) names.push_back("-" + name);
+    }
+    return names;
+}
+
+// `--render=cgal` and `--preview=throwntogether` choose an engine that Whittle does not have: the value says nothing here.
+void drop_engine_names(std::vector<std::string>& arguments) {
+    for (auto& argument : arguments)
+        for (const std::string name : {"--render", "--preview"})
+            if (argument.rfind(name + "=", 0) == 0) argument = name;
+}
+
+tl::unexpected<Error> unexpected_word(const std::vector<std::string>& words, const CLI::App& app) {
+    for (const auto& word : words)
+        if (word.size() > 1 && word[0] == '-') {
+            const std::string name = word.substr(0, word.find('='));
+            const auto near = nearest(name, names_of(app));
+            return fail(Fault::kCommand, fmt::format("unknown option {}{}", name, near ? fmt::format("; did you mean {}?", *near) : ""));
+        }
+    return fail(Fault::kCommand, fmt::format("'{}' is one word too many", words.front()));
+}
+
+Result<void> validate(const VerbInfo* verb, Request& request) {
+    const bool many_files = verb && verb->verb == Verb::kMerge;
+    if (verb && verb->verb == Verb::kBench) return {};
+    if (request.inputs.empty()) return fail(Fault::kCommand, many_files ? "merge wants the pictures to put together" : "no scene is named");
+    if (!many_files && request.inputs.size() > 1) return fail(Fault::kCommand, fmt::format("one scene at a time: '{}' is a second", request.inputs[1]));
+    if (many_files && request.outputs.size() != 1) return fail(Fault::kCommand, "merge wants one -o FILE");
+    if (request.common.parameter_set.empty() != request.common.parameter_file.empty()) return fail(Fault::kCommand, "-p and -P go together");
+    if (request.verb == Verb::kSpans && request.spans.rays.empty() && request.spans.rays_file.empty())
+        return fail(Fault::kCommand, "spans wants --ray ox,oy,oz,dx,dy,dz or --rays FILE");
+    if (request.spans.rays_file == "-" && request.inputs[0] == "-") return fail(Fault::kCommand, "the scene and the rays cannot both be standard input");
+    const auto& region = request.render.options.region;
+    if (region && (region->x + region->width > request.render.options.width || region->y + region->height > request.render.options.height))
+        return fail(Fault::kCommand, "--tile reaches outside the picture");
+    return {};
+}
+
+// Seed, threads and passes belong to every part that knows them.
+void spread_common(Request& request) {
+    request.render.options.seed = request.common.seed;
+    request.render.options.threads = request.common.threads;
+    request.render.options.disabled_passes = request.common.disabled_passes;
+    request.mesh.options.threads = request.common.threads;
+}
+
+}  // namespace
+
+Result<std::variant<Request, Say>> parse_command_line(std::vector<std::string> arguments) {
+    if (arguments.empty()) return fail(Fault::kCommand, "no scene is named; try: whittle --help");
+    if (arguments[0] == "view") return fail(Fault::kCommand, "view is not supported yet; whittle render --watch draws again on every change");
+    const VerbInfo* verb = verb_named(arguments[0]);
+    if (verb) arguments.erase(arguments.begin());
+    Request request;
+    request.verb = verb ? verb->verb : Verb::kConvert;
+    if (request.verb == Verb::kBench) return request.rest = std::move(arguments), std::variant<Request, Say>(std::move(request));
+    Declaration declaration(verb, request);
+    if (!verb) drop_engine_names(arguments);
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+        declaration.app().parse(std::move(arguments));
+    } catch (const CLI::CallForHelp&) {
+        return Say{help_text(verb, declaration.app())};
+    } catch (const CLI::ValidationError& fault) {
+        const std::string message = fault.what();
+        const auto colon = message.find(": ");  // CLI11 puts the option's name in front; the message has it already
+        return fail(Fault::kCommand, colon == std::string::npos ? message : message.substr(colon + 2));
+    } catch (const CLI::ParseError& fault) {
+        return fail(Fault::kCommand, fault.what());
+    }
+    if (declaration.wants_version()) return Say{"whittle " WHITTLE_VERSION "\n"};
+    const auto rest = declaration.app().remaining();
+    if (!rest.empty()) return unexpected_word(rest, declaration.app());
+    if (!declaration.refused().empty()) return fail(Fault::kCommand, declaration.refused() + " is not supported yet");
+    if (auto valid = validate(verb, request); !valid) return tl::unexpected<Error>(valid.error());
+    if (!verb && request.outputs.empty()) request.verb = Verb::kRender;
+    spread_common(request);
+    return request;
+}
+
+std::vector<std::string> option_names(const std::string& verb) {
+    Request request;
+    Declaration declaration(verb_named(verb), request);
+    return names_of(declaration.app());
+}
+
+std::vector<std::string> verb_names() {
+    std::vector<std::string> names;
+    for (const auto& verb : kVerbs) names.emplace_back(verb.name);
+    return names;
+}
+
+}  // namespace whittle

@@ -1,0 +1,142 @@
+// verb_render.cpp — whittle render: scene → film → picture files; --watch draws again on every change.
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "modeler/cli/answers.h"
+#include "modeler/cli/job_render.h"
+#include "modeler/cli/progress.h"
+#include "modeler/cli/verbs.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLookEvery{150};
+
+struct Output {
+    std::string path;
+    ImageFormat format;
+};
+
+Result<std::vector<Output>> outputs_of(const std::vector<std::string>& paths, const std::string& format_name) {
+    std::vector<Output> outputs;
+    for (const auto& path : paths) {
+        const auto format = image_format_of(format_name.empty() ? path : "." + format_name);
+        if (!format) return fail(Fault::kCommand, fmt::format("'{}': render writes .png, .exr, .jpg and .tif", path));
+        outputs.push_back({path, *format});
+    }
+    return outputs;
+}
+
+void count(Stats& stats, const RenderCounters& counters) {
+    const auto add = [&stats](const char* name, std::uint64_t value) { stats.add(name, static_cast<double>(value)); };
+    add("rays.camera", counters.camera);
+    add("rays.shadow", counters.shadow);
+    add("rays.reflection", counters.reflection);
+    add("rays.refraction", counters.refraction);
+    add("rays.diffuse", counters.diffuse);
+    add("photons", counters.photons);
+    add("media_stack", counters.media_stack);
+    add("normals", counters.normals);
+    add("wavelengths", counters.wavelengths);
+    add("skip.shadows", counters.skipped_shadows);
+    add("skip.media", counters.skipped_media);
+    add("skip.lens", counters.skipped_lens);
+    stats.add(counters.engine);
+}
+
+Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program) {
+    const Scene& read = scene.evaluated.scene;
+    const RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera};
+    Progress progress("Rendering", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
+    RenderControl control;
+    control.progress = [&progress](const RenderProgress& now) { progress.report(now.done); };
+    session.watchdog.when_interrupted([&control] { control.stop = true; });
+    auto result = render(program, stage, session.request.render.options, control);
+    session.watchdog.when_interrupted({});
+    return result;
+}
+
+Result<void> write_picture(Session& session, ImageFiles& files, const RenderResult& drawn, const Output& output) {
+    PictureOptions picture = session.request.render.picture;
+    picture.tone.exposure += drawn.exposure;
+    const auto image = image_of(drawn.film, output.format, picture);
+    if (!image) return tl::unexpected<Error>(image.error());
+    const auto bytes = files.encode(*image, output.format);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    return write_output(output.path, *bytes);
+}
+
+void answer(Session& session, const std::vector<Output>& outputs, const RenderResult& drawn) {
+    for (const auto& output : outputs) {
+        if (session.request.common.json)
+            fmt::print("{}\n", json::Object().string("file", output.path).number("seconds", drawn.seconds).strings("warnings", session.console.warnings()).str());
+        else if (output.path != "-")
+            session.console.line(fmt::format("{}: {} x {}, {} samples, {:.2f} s", output.path, drawn.film.width, drawn.film.height, drawn.samples_finished, drawn.seconds));
+    }
+}
+
+Exit render_once(Session& session, const std::vector<Output>& outputs, Preview preview, std::vector<std::string>& files_read) {
+    const auto scene = read_scene(session, preview);
+    if (!scene) return give_up(session, scene.error());
+    files_read = scene->evaluated.files_read;
+    if (auto solid = check_solid(scene->canonical); !solid) return give_up(session, solid.error());
+    ImageFiles files;
+    files.start_loading();
+    const auto program = compile_scene(session, scene->canonical.solid);
+    if (!program) return give_up(session, program.error());
+    const auto drawn = draw(session, *scene, *program);
+    if (!drawn) return give_up(session, drawn.error());
+    for (const auto& warning : drawn->warnings) session.console.warning(warning);
+    count(session.stats, drawn->counters);
+    session.stats.add("seconds.render", drawn->seconds);
+    for (const auto& output : outputs)
+        if (auto written = write_picture(session, files, *drawn, output); !written) return give_up(session, written.error());
+    session.stats.set("loaded.image", files.loaded() ? 1 : 0);
+    answer(session, outputs, *drawn);
+    return session.watchdog.interrupted() ? Exit::kInterrupted : scene->verdict;
+}
+
+// When each file was last written; a file that is gone has the earliest time.
+std::vector<std::filesystem::file_time_type> times_of(const std::vector<std::string>& files) {
+    std::vector<std::filesystem::file_time_type> times;
+    for (const auto& file : files) {
+        std::error_code fault;
+        const auto time = std::filesystem::last_write_time(file, fault);
+        times.push_back(fault ? std::filesystem::file_time_type::min() : time);
+    }
+    return times;
+}
+
+// Ends by Ctrl-C only.
+Exit watch(Session& session, const std::vector<Output>& outputs, Preview preview) {
+    std::vector<std::string> files{session.request.inputs.front()};
+    while (true) {
+        const auto begin = times_of(files);
+        const auto known = files;
+        if (render_once(session, outputs, preview, files) == Exit::kInterrupted) return Exit::kInterrupted;
+        auto seen = files == known ? begin : times_of(files);
+        while (times_of(files) == seen) std::this_thread::sleep_for(kLookEvery);
+    }
+}
+
+}  // namespace
+
+Exit render_outputs(Session& session, const std::vector<std::string>& paths, Preview preview) {
+    const auto outputs = outputs_of(paths, session.request.export_format);
+    if (!outputs) return give_up(session, outputs.error());
+    if (session.request.render.watch) return watch(session, *outputs, preview);
+    std::vector<std::string> files_read;
+    return render_once(session, *outputs, preview, files_read);
+}
+
+Exit run_render(Session& session) {
+    auto paths = session.request.outputs;
+    if (paths.empty()) paths.push_back(default_output(session.request.inputs.front(), ".png"));
+    return render_outputs(session, paths, {false, session.request.render.options.integrator == Integrator::kPreview});
+}
+
+}  // namespace whittle

@@ -1,0 +1,46 @@
+// files.cpp — see files.h.
+#include "modeler/io/files.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "csg/base/file.h"
+
+namespace whittle {
+
+Result<std::string> Files::read_text(const std::string& path) { return read_whole_file(path); }
+
+bool Files::exists(const std::string& path) {
+    std::error_code fault;
+    return std::filesystem::is_regular_file(path, fault);
+}
+
+Result<std::shared_ptr<const FacetList>> Files::hull(const Solid&, const std::vector<Use>&) {
+    return fail(Fault::kScene, "hull() of these operands is not supported yet");
+}
+
+Result<std::shared_ptr<const FacetList>> Files::minkowski(const Solid&, const std::vector<Use>&) {
+    return fail(Fault::kScene, "minkowski() of these operands is not supported yet");
+}
+
+std::vector<std::string> library_paths() {
+    std::vector<std::string> candidates;
+    if (const char* listed = std::getenv("OPENSCADPATH")) {
+        std::string rest = listed;
+        while (!rest.empty()) {
+            const auto colon = rest.find(':');
+            if (colon != 0) candidates.push_back(rest.substr(0, colon));
+            rest = colon == std::string::npos ? std::string() : rest.substr(colon + 1);
+        }
+    }
+    if (const char* home = std::getenv("HOME")) candidates.push_back(std::string(home) + "/.local/share/OpenSCAD/libraries");
+    candidates.emplace_back("/usr/share/openscad/libraries");
+    std::vector<std::string> found;
+    for (auto& candidate : candidates) {
+        std::error_code fault;
+        if (std::filesystem::is_directory(candidate, fault)) found.push_back(std::move(candidate));
+    }
+    return found;
+}
+
+}  // namespace whittle

@@ -1,0 +1,22 @@
+// files.h — the world as a scene sees it: Outside served from the file system.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/solid/outside.h"
+
+namespace whittle {
+
+class Files : public Outside {
+public:
+    Result<std::string> read_text(const std::string& path) override;
+    bool exists(const std::string& path) override;
+    Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) override;
+    Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) override;
+};
+
+// Where `use <...>` looks after the including file's own folder: OPENSCADPATH, the user's library folder, the system's. Folders that exist only.
+std::vector<std::string> library_paths();
+
+}  // namespace whittle
