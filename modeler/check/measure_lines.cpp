@@ -1,0 +1,150 @@
+// measure_lines.cpp — parallel lines in three orthogonal directions, sixteen independent randomisations.
+#include <cmath>
+#include <limits>
+
+#include "modeler/check/measure_methods.h"
+#include "modeler/check/parallel_lines.h"
+#include "modeler/check/sobol.h"
+
+namespace whittle {
+
+namespace {
+
+// Work that about a second allows, in units of a primitive's test; a line costs some of its own.
+constexpr double kWorkBudget = 2e7;
+constexpr double kWorkOfALine = 12;
+constexpr std::uint64_t kPilotLines = 3 * kLinesPerBlock;
+constexpr int kLeastLog2 = 8, kMostLog2 = 16;  // lines of a direction of a randomisation
+
+// A direction and the rectangle across it that the solid's box is seen in.
+struct Sheet {
+    Vec3 u, v, d, corner;  // a line starts at corner + x u + y v, 0 <= x, y < 1, along d
+    double area = 0;
+    ScrambledSobol points{0};
+};
+
+using Sheets = std::array<Sheet, 3>;
+
+// A rotation uniformly distributed over all rotations, by a unit quaternion (Shoemake 1992).
+std::array<Vec3, 3> random_frame(std::uint64_t seed) {
+    const auto uniform = [&](std::uint64_t k) { return static_cast<double>(mixed(seed, k) >> 11) * 0x1p-53; };
+    const double a = uniform(1), b = 2 * M_PI * uniform(2), c = 2 * M_PI * uniform(3);
+    const double x = std::sqrt(1 - a) * std::sin(b), y = std::sqrt(1 - a) * std::cos(b), z = std::sqrt(a) * std::sin(c), w = std::sqrt(a) * std::cos(c);
+    return {Vec3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)),
+            Vec3(2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)),
+            Vec3(2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y))};
+}
+
+Sheets make_sheets(const MeasureJob& job, std::uint64_t randomisation) {
+    const std::uint64_t seed = mixed(mixed(job.options.seed, 0x6D656173), randomisation);
+    const std::array<Vec3, 3> axes = random_frame(seed);
+    const Vec3 half = (job.bounds.hi - job.bounds.lo) * 0.5;
+    // A little wider than the box, so that the rounding of a line's place cannot lose a sliver.
+    const auto reach = [&](Vec3 a) { return glm::dot(glm::abs(a), half) * (1 + 0x1p-40); };
+    Sheets sheets;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 u = axes[(k + 1) % 3], v = axes[(k + 2) % 3], d = axes[k];
+        Sheet& s = sheets[k];
+        s.u = 2 * reach(u) * u;
+        s.v = 2 * reach(v) * v;
+        s.d = d;
+        s.corner = job.center() - reach(u) * u - reach(v) * v - 1.25 * reach(d) * d;
+        s.area = 4 * reach(u) * reach(v);
+        s.points = ScrambledSobol(mixed(seed, 17 + k));
+    }
+    return sheets;
+}
+
+// One randomisation, n lines a direction: unbiased integrals about the box's centre.
+ChordSums sum_sheets(const MeasureJob& job, std::uint64_t randomisation, std::uint64_t n, EngineCounters& counters) {
+    const Sheets sheets = make_sheets(job, randomisation);
+    const Vec3 origin = job.center();
+    const auto line = [&](std::uint64_t i, LineScratch& scratch, ChordSums& sums) {
+        const Sheet& s = sheets[i / n];
+        const auto k = static_cast<std::uint32_t>(i % n);
+        Ray ray;
+        ray.origin = s.corner + s.points.at(k, 0) * s.u + s.points.at(k, 1) * s.v;
+        ray.direction = s.d;
+        all_spans(job.program, ray, scratch.engine, scratch.spans);
+        ChordSums chords;
+        add_chords(chords, ray, scratch.spans, origin);
+        sums += chords.scaled(s.area);
+    };
+    ChordSums sums = sum_over_lines<ChordSums>(3 * n, job.options.cancel, counters, line).scaled(1 / (3 * static_cast<double>(n)));
+    sums.area *= 3;  // the three directions add up to the area; each alone gives the volume
+    return sums;
+}
+
+// The work of a line is counted on lines that enter no result.
+int lines_log2(const MeasureJob& job, EngineCounters& counters) {
+    if (job.options.lines != 0) {
+        const double each = static_cast<double>(job.options.lines) / (3 * kRandomisations);
+        return std::clamp(static_cast<int>(std::ceil(std::log2(std::max(each, 1.0)))), 0, 28);
+    }
+    EngineCounters pilot;
+    sum_sheets(job, std::numeric_limits<std::uint64_t>::max(), kPilotLines / 3, pilot);
+    counters += pilot;
+    const double work = kWorkOfALine + static_cast<double>(pilot.primitive_tests) / kPilotLines;
+    return std::clamp(static_cast<int>(std::log2(kWorkBudget / (work * 3 * kRandomisations))), kLeastLog2, kMostLog2);
+}
+
+// Half width of the interval of the mean of values(randomisation).
+template <class Values>
+double half_width(const Values& values) {
+    double mean = 0, squares = 0;
+    for (std::size_t r = 0; r < kRandomisations; ++r) mean += values(r);
+    mean /= kRandomisations;
+    for (std::size_t r = 0; r < kRandomisations; ++r) squares += (values(r) - mean) * (values(r) - mean);
+    return kStudent99 * std::sqrt(squares / (kRandomisations - 1) / kRandomisations);
+}
+
+// Centroid and inertia are no sums: their intervals are those of the sums they are locally linear in (the delta method).
+void set_errors(Measurement& m, const std::array<ChordSums, kRandomisations>& parts, const ChordSums& mean) {
+    const double v = mean.volume;
+    const Vec3 c = v > 0 ? mean.first / v : Vec3(0);
+    m.volume.error = half_width([&](std::size_t r) { return parts[r].volume; }) + mean.slack;
+    m.area.error = half_width([&](std::size_t r) { return parts[r].area; });
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int k = static_cast<int>(i);
+        const double w = half_width([&](std::size_t r) { return parts[r].first[k] - c[k] * parts[r].volume; });
+        m.centroid[i].error = v > 0 ? w / v : std::numeric_limits<double>::infinity();
+    }
+    // Product of coordinates a and b about the centroid, entry s of `second`.
+    const auto central = [&](const ChordSums& p, std::size_t s, int a, int b) {
+        return p.second[s] - c[a] * p.first[b] - c[b] * p.first[a] + c[a] * c[b] * p.volume;
+    };
+    static constexpr std::array<std::array<int, 2>, 6> kPairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+    const auto pair = [&](const ChordSums& p, std::size_t s) { return central(p, s, kPairs[s][0], kPairs[s][1]); };
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            m.inertia[3 * row + column].error = half_width([&](std::size_t r) {
+                if (row == column) return pair(parts[r], (row + 1) % 3) + pair(parts[r], (row + 2) % 3);
+                return pair(parts[r], row + column + 2);
+            });
+}
+
+}  // namespace
+
+Result<Measurement> measure_by_lines(const MeasureJob& job) {
+    Measurement m;
+    m.method = "lines";
+    const std::uint64_t n = std::uint64_t{1} << lines_log2(job, m.counters);
+    std::array<ChordSums, kRandomisations> parts;
+    ChordSums mean;
+    for (std::size_t r = 0; r < kRandomisations; ++r) {
+        parts[r] = sum_sheets(job, r, n, m.counters);
+        if (job.cancelled()) return fail(Fault::kInterrupted, "interrupted");
+        if (parts[r].unbounded) return fail(Fault::kScene, "the solid is unbounded: it has no volume to measure");
+        mean += parts[r];
+    }
+    mean = mean.scaled(1.0 / kRandomisations);
+    m.lines = 3 * n * kRandomisations;
+    set_values(m, mean, job.center());
+    set_errors(m, parts, mean);
+    m.volume.kind = m.area.kind = ErrorKind::kConfidence99;
+    for (Measured& c : m.centroid) c.kind = ErrorKind::kConfidence99;
+    for (Measured& i : m.inertia) i.kind = ErrorKind::kConfidence99;
+    return m;
+}
+
+}  // namespace whittle
