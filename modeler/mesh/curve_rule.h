@@ -1,0 +1,33 @@
+// curve_rule.h — into how many segments a curve is cut so that no chord is farther from it than the tolerance.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace whittle {
+
+// Lengths in the frame the curve is drawn in; `scale` says how much longer they are, at most, in the root frame.
+struct CurveRule {
+    double largest = 0;             // tolerance in the root frame: 1e-3 of the model's diagonal, or what was asked
+    double share_of_radius = 1e-3;  // 0 when the tolerance was asked for
+    std::optional<double> angle_deg;
+    double scale = 1;
+
+    double chord(double radius) const {
+        return share_of_radius > 0 ? std::min(largest / scale, share_of_radius * radius) : largest / scale;
+    }
+    // Segments of a whole turn, a multiple of 4 from 8 up, so that the extreme points on the axes are vertices. The chord of one turn by a is
+    // radius*(1 - cos(a/2)) from its arc.
+    int turn(double radius) const { return turn_within(radius, chord(radius)); }
+    int turn_within(double radius, double error) const {
+        const double share = std::min(error / radius, 1.0);
+        double n = std::numbers::pi / std::acos(1 - share);
+        if (angle_deg) n = std::max(n, 360 / *angle_deg);
+        const double kMost = 1 << 16;
+        return std::max(8, 4 * static_cast<int>(std::ceil(std::min(n, kMost) / 4 - 1e-9)));
+    }
+};
+
+}  // namespace whittle

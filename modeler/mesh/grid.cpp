@@ -1,0 +1,187 @@
+#include "modeler/mesh/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+#include "modeler/mesh/int128.h"
+
+namespace whittle {
+namespace {
+
+// Finds equal points: first come, first numbered.
+class PointIndex {
+public:
+    explicit PointIndex(std::size_t expected) { map_.reserve(expected); }
+    std::uint32_t put(const GridPoint& p, std::vector<GridPoint>& points) {
+        const auto [at, fresh] = map_.try_emplace(p, static_cast<std::uint32_t>(points.size()));
+        if (fresh) points.push_back(p);
+        return at->second;
+    }
+
+private:
+    struct Hash {
+        std::size_t operator()(const GridPoint& p) const {
+            std::uint64_t h = 0x9E3779B97F4A7C15ULL;
+            for (const std::int64_t x : p) h = (h ^ static_cast<std::uint64_t>(x)) * 0xD6E8FEB86659FD93ULL, h ^= h >> 32;
+            return h;
+        }
+    };
+    std::unordered_map<GridPoint, std::uint32_t, Hash> map_;
+};
+
+// The directed edges of a mesh and the triangle each belongs to, sorted, so that the twin of an edge is found by bisection.
+class EdgeIndex {
+public:
+    explicit EdgeIndex(const std::vector<Triangle>& triangles) {
+        edges_.reserve(triangles.size() * 3);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) edges_.push_back({key(triangles[i][k], triangles[i][(k + 1) % 3]), static_cast<std::uint32_t>(i)});
+        std::sort(edges_.begin(), edges_.end());
+    }
+    // The triangle on the other side of (from, to) where it is the only one.
+    std::optional<std::uint32_t> across(std::uint32_t from, std::uint32_t to) const {
+        const std::uint64_t wanted = key(to, from);
+        const auto at = std::lower_bound(edges_.begin(), edges_.end(), Entry{wanted, 0});
+        if (at == edges_.end() || at->edge != wanted) return std::nullopt;
+        const auto next = at + 1;
+        if (next != edges_.end() && next->edge == wanted) return std::nullopt;
+        return at->triangle;
+    }
+
+private:
+    struct Entry {
+        std::uint64_t edge;
+        std::uint32_t triangle;
+        auto operator<=>(const Entry&) const = default;
+    };
+    static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return static_cast<std::uint64_t>(a) << 32 | b; }
+    std::vector<Entry> edges_;
+};
+
+Int128 determinant_of(const GridPoint& o, const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+    const auto d = [&](const GridPoint& p, std::size_t i) { return static_cast<Int128>(p[i] - o[i]); };
+    return d(a, 0) * (d(b, 1) * d(c, 2) - d(b, 2) * d(c, 1)) - d(a, 1) * (d(b, 0) * d(c, 2) - d(b, 2) * d(c, 0)) +
+           d(a, 2) * (d(b, 0) * d(c, 1) - d(b, 1) * d(c, 0));
+}
+
+// Two opposite triangles on the same three points enclose nothing: both go.
+void drop_folded_pairs(std::vector<Triangle>& triangles) {
+    std::vector<std::size_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto sorted_corners = [&](std::size_t i) {
+        Triangle t = triangles[i];
+        std::sort(t.begin(), t.end());
+        return t;
+    };
+    std::vector<Triangle> corners(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) corners[i] = sorted_corners(i);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return corners[a] != corners[b] ? corners[a] < corners[b] : a < b; });
+    std::vector<bool> gone(triangles.size(), false);
+    bool any = false;
+    for (std::size_t i = 0; i + 1 < order.size(); ++i)
+        if (corners[order[i]] == corners[order[i + 1]]) {
+            gone[order[i]] = gone[order[i + 1]] = any = true;
+            ++i;
+        }
+    if (!any) return;
+    std::vector<Triangle> kept;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        if (!gone[i]) kept.push_back(triangles[i]);
+    triangles.swap(kept);
+}
+
+// One tag for each region of exactly coplanar triangles that hang together by edges.
+FacetTag tag_facets(GridMesh& mesh) {
+    constexpr FacetTag kNone = std::numeric_limits<FacetTag>::max();
+    mesh.tags.assign(mesh.triangles.size(), kNone);
+    const EdgeIndex edges(mesh.triangles);
+    FacetTag count = 0;
+    std::vector<std::uint32_t> todo;
+    for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
+        if (mesh.tags[seed] != kNone) continue;
+        const Triangle base = mesh.triangles[seed];
+        mesh.tags[seed] = count;
+        todo.assign(1, seed);
+        while (!todo.empty()) {
+            const Triangle t = mesh.triangles[todo.back()];
+            todo.pop_back();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto other = edges.across(t[k], t[(k + 1) % 3]);
+                if (!other || mesh.tags[*other] != kNone) continue;
+                const Triangle& o = mesh.triangles[*other];
+                const auto flat = [&](std::uint32_t v) {
+                    return determinant_of(mesh.points[base[0]], mesh.points[base[1]], mesh.points[base[2]], mesh.points[v]) == 0;
+                };
+                if (!flat(o[0]) || !flat(o[1]) || !flat(o[2])) continue;
+                mesh.tags[*other] = count;
+                todo.push_back(*other);
+            }
+        }
+        ++count;
+    }
+    return count;
+}
+
+// Moves the low corner of the box to the origin and drops points no triangle uses.
+void normalise(SnappedLeaf& leaf) {
+    std::vector<std::uint32_t> renamed(leaf.mesh.points.size(), std::numeric_limits<std::uint32_t>::max());
+    std::vector<GridPoint> used;
+    for (Triangle& t : leaf.mesh.triangles)
+        for (std::uint32_t& v : t) {
+            if (renamed[v] == std::numeric_limits<std::uint32_t>::max()) {
+                renamed[v] = static_cast<std::uint32_t>(used.size());
+                used.push_back(leaf.mesh.points[v]);
+            }
+            v = renamed[v];
+        }
+    GridPoint lo = used.front(), hi = used.front();
+    for (const GridPoint& p : used)
+        for (std::size_t i = 0; i < 3; ++i) lo[i] = std::min(lo[i], p[i]), hi[i] = std::max(hi[i], p[i]);
+    for (GridPoint& p : used)
+        for (std::size_t i = 0; i < 3; ++i) p[i] -= lo[i];
+    leaf.mesh.points.swap(used);
+    leaf.offset = lo;
+    for (std::size_t i = 0; i < 3; ++i) leaf.size[i] = hi[i] - lo[i];
+}
+
+}  // namespace
+
+Grid Grid::for_size(double largest_coordinate) {
+    Grid grid;
+    const double most = static_cast<double>(kLargestGridCoordinate) / 2;
+    const int kMostDigits = 22;  // larger powers of ten are not doubles
+    for (int digits = 0; digits < kMostDigits && largest_coordinate * grid.per_mm * 10 <= most; ++digits) grid.per_mm *= 10;
+    while (largest_coordinate * grid.per_mm > most) grid.per_mm /= 10;
+    return grid;
+}
+
+std::int64_t Grid::snapped(double value_mm) const { return std::llround(value_mm * per_mm); }
+
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid) {
+    SnappedLeaf out;
+    PointIndex index(leaf.points.size());
+    std::vector<std::uint32_t> renamed;
+    renamed.reserve(leaf.points.size());
+    for (const Vec3& p : leaf.points) {
+        const Vec3 q = apply_to_point(placement, p);
+        renamed.push_back(index.put({grid.snapped(q.x), grid.snapped(q.y), grid.snapped(q.z)}, out.mesh.points));
+    }
+    const bool mirrored = determinant(placement) < 0;
+    out.mesh.triangles.reserve(leaf.triangles.size());
+    for (const Triangle& t : leaf.triangles) {
+        Triangle u{renamed[t[0]], renamed[t[1]], renamed[t[2]]};
+        if (u[0] == u[1] || u[1] == u[2] || u[2] == u[0]) continue;
+        if (mirrored) std::swap(u[1], u[2]);
+        out.mesh.triangles.push_back(u);
+    }
+    drop_folded_pairs(out.mesh.triangles);
+    if (out.mesh.triangles.empty()) return {};
+    normalise(out);
+    out.tag_count = tag_facets(out.mesh);
+    return out;
+}
+
+}  // namespace whittle

@@ -1,0 +1,46 @@
+// grid.h — the decimal grid on which leaves are put before booleans.
+//
+// Two leaves that the author wrote as touching have coordinates that differ by roundings only (0.1+0.2 and 0.3). On a common grid, coarse against
+// roundings and fine against the model, they are equal, and the exact boolean sees one plane. The grid is decimal because authors are: 0.3 is a grid
+// point, and a grid point divided by a power of ten is the double nearest to that decimal, so what was written comes back as written.
+#pragma once
+
+#include <optional>
+
+#include "csg/base/result.h"
+#include "modeler/mesh/exact_kernel.h"
+
+namespace whittle {
+
+// A closed triangulated leaf in doubles.
+struct LeafMesh {
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+    }
+};
+
+struct Grid {
+    double per_mm = 1;  // a power of ten
+
+    // The finest grid on which a coordinate of this size stays below kLargestGridCoordinate.
+    static Grid for_size(double largest_coordinate);
+    std::int64_t snapped(double mm) const;
+    double mm(double grid_units) const { return grid_units / per_mm; }
+};
+
+// A leaf on the grid, moved so that the low corner of its box is the origin.
+struct SnappedLeaf {
+    GridMesh mesh;
+    GridPoint offset{};
+    GridPoint size{};
+    FacetTag tag_count = 0;
+};
+
+// The leaf after `placement`, on the grid: equal points merged, what has become nothing dropped, turned outward where the placement mirrors,
+// tagged by exactly coplanar regions. Empty where nothing is left.
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid);
+
+}  // namespace whittle
