@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "csg/base/result.h"
 #include "csg/solid/solid.h"
 
 namespace whittle {
@@ -24,5 +25,10 @@ std::vector<Vec2> circle_points(double r, int n);
 
 // OpenSCAD's number of slices of linear_extrude where the author gave none; 1 where the sides are flat.
 int extrusion_slices(const Contours& profile, double height, double twist_deg, Vec2 scale_top, const Resolution& resolution);
+
+// The facets of a box, a faceted ball or frustum, a polyhedron, an extrusion with flat or sliced sides, a revolution of fragments. Closed, counter-
+// clockwise seen from outside, convex, so that any fan of a facet covers it; flat up to the rounding of the corners. True arcs in a profile become
+// chords no further from it than the tolerance (0: kProfileTolerance of the profile's size). kScene fault for curved shapes and 2D nodes.
+Result<FacetList> facets_of(const Solid& solid, NodeId node, double tolerance = 0);
 
 }  // namespace whittle

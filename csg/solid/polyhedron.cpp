@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <gmpxx.h>
-
-#include "csg/solid/directed.h"
+#include "csg/solid/predicates.h"
 
 namespace whittle {
 namespace {
@@ -31,47 +29,12 @@ std::vector<std::uint32_t> first_equal(const std::vector<Vec3>& points) {
     return first;
 }
 
-using Exact = std::array<mpq_class, 3>;
-Exact exact_difference(Vec3 a, Vec3 b) { return {mpq_class(a.x) - b.x, mpq_class(a.y) - b.y, mpq_class(a.z) - b.z}; }
-
-bool are_coplanar(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const Vec3 u = b - a, v = c - a, w = d - a;
-    const double det = glm::dot(u, glm::cross(v, w));
-    const Vec3 su = glm::abs(u), sv = glm::abs(v), sw = glm::abs(w);
-    const double size = su.x * (sv.y * sw.z + sv.z * sw.y) + su.y * (sv.z * sw.x + sv.x * sw.z) + su.z * (sv.x * sw.y + sv.y * sw.x);
-    if (std::fabs(det) > 16 * 0x1p-53 * size) return false;  // 16 half-ulps bound its eleven roundings
-    const Exact p = exact_difference(b, a), q = exact_difference(c, a), r = exact_difference(d, a);
-    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]) == 0;
-}
-
-bool are_collinear(Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 u = b - a, v = c - a, n = glm::abs(glm::cross(u, v)), su = glm::abs(u), sv = glm::abs(v);
-    const Vec3 size{su.y * sv.z + su.z * sv.y, su.z * sv.x + su.x * sv.z, su.x * sv.y + su.y * sv.x};
-    for (int i = 0; i < 3; ++i)
-        if (n[i] > 8 * 0x1p-53 * size[i]) return false;
-    const Exact p = exact_difference(b, a), q = exact_difference(c, a);
-    return p[1] * q[2] == p[2] * q[1] && p[2] * q[0] == p[0] * q[2] && p[0] * q[1] == p[1] * q[0];
-}
-
 // Newell's normal: twice the area vector, whatever the polygon's shape.
 Vec3 area_vector(const FacetList& mesh, const Facet& facet) {
     Vec3 n(0);
     const Vec3 o = mesh.points[facet[0]];
     for (std::size_t i = 1; i + 1 < facet.size(); ++i) n += glm::cross(mesh.points[facet[i]] - o, mesh.points[facet[i + 1]] - o);
     return n;
-}
-
-double turn(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-bool holds(Vec2 a, Vec2 b, Vec2 c, Vec2 p) { return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0; }
-
-// Corner `i` of what is left is an ear: convex, and no other corner within its triangle.
-bool is_ear(const std::vector<Vec2>& flat, const std::vector<std::size_t>& left, std::size_t i) {
-    const std::size_t n = left.size(), before = left[(i + n - 1) % n], here = left[i], after = left[(i + 1) % n];
-    if (turn(flat[before], flat[here], flat[after]) <= 0) return false;
-    for (const std::size_t k : left)
-        if (k != before && k != here && k != after && holds(flat[before], flat[here], flat[after], flat[k])) return false;
-    return true;
 }
 
 std::vector<Vec2> projected(const FacetList& mesh, const Facet& facet) {
@@ -140,23 +103,43 @@ bool is_flat(const FacetList& mesh, const Facet& facet) {
     return true;
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangulated(const FacetList& mesh, const Facet& facet) {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    const std::vector<Vec2> flat = projected(mesh, facet);
-    std::vector<std::size_t> left(facet.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-    while (left.size() >= 3) {
-        std::size_t ear = 0;  // a polygon that is not simple may have no ear: then any corner, and the surface stays closed
-        for (std::size_t i = 0; i < left.size(); ++i)
-            if (is_ear(flat, left, i)) {
-                ear = i;
-                break;
-            }
-        const std::size_t n = left.size();
-        triangles.push_back({facet[left[(ear + n - 1) % n]], facet[left[ear]], facet[left[(ear + 1) % n]]});
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+std::vector<IndexTriangle> triangulated(const FacetList& mesh, const Facet& facet) {
+    Facet ring(facet.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = static_cast<std::uint32_t>(i);
+    auto triangles = ear_clipped(projected(mesh, facet), {ring});
+    if (!triangles) {  // not simple: a fan keeps the surface closed
+        triangles.emplace();
+        for (std::uint32_t i = 2; i < facet.size(); ++i) triangles->push_back({0, i - 1, i});
     }
-    return triangles;
+    for (auto& t : *triangles)
+        for (auto& corner : t) corner = facet[corner];
+    return *triangles;
+}
+
+bool is_convex(const FacetList& mesh, const Facet& facet) {
+    if (facet.size() <= 3) return true;
+    const std::vector<Vec2> flat = projected(mesh, facet);
+    const std::size_t n = flat.size();
+    int times_lowest = 0;  // a convex polygon goes down and up once
+    for (std::size_t i = 0; i < n; ++i) {
+        if (turn_of(flat[i], flat[(i + 1) % n], flat[(i + 2) % n]) < 0) return false;
+        const auto lower = [](Vec2 a, Vec2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+        times_lowest += lower(flat[(i + 1) % n], flat[i]) && lower(flat[(i + 1) % n], flat[(i + 2) % n]);
+    }
+    return times_lowest == 1;
+}
+
+FacetList with_convex_facets(const FacetList& mesh) {
+    FacetList out;
+    out.points = mesh.points;
+    for (const Facet& facet : mesh.facets) {
+        if (is_convex(mesh, facet)) {
+            out.facets.push_back(facet);
+            continue;
+        }
+        for (const auto& t : triangulated(mesh, facet)) out.facets.push_back({t.begin(), t.end()});
+    }
+    return out;
 }
 
 FacetList with_flat_facets(const FacetList& mesh) {
