@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "tracer/image/module/image_module.h"
+#include "tracer/image/png.h"
 
 namespace whittle {
 
@@ -104,6 +105,10 @@ float* make_room(void* sink, int width, int height, int channels, const char* co
 ImageFiles::ImageFiles(std::filesystem::path program_dir) : program_dir_(std::move(program_dir)) {}
 ImageFiles::~ImageFiles() = default;
 
+void ImageFiles::start_loading_for(const std::filesystem::path& path) {
+    if (image_format_of(path.string()) != ImageFormat::kPng) start_loading();
+}
+
 void ImageFiles::start_loading() {
     if (module_ || loading_.valid()) return;
     loading_ = std::async(std::launch::async, &ImageFiles::open_module, program_dir_);
@@ -119,6 +124,7 @@ Result<const ImageFiles::Module*> ImageFiles::module() {
 }
 
 Result<std::string> ImageFiles::encode(const Image& image, ImageFormat format) {
+    if (format == ImageFormat::kPng && !image.bytes.empty()) return png_encoded(image.width, image.height, static_cast<int>(image.channels.size()), image.bytes);
     const Result<const Module*> opened = module();
     if (!opened) return tl::unexpected<Error>(opened.error());
     std::vector<const char*> names;

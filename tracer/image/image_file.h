@@ -1,7 +1,7 @@
 // image_file.h — pictures to files and back: PNG, JPEG, EXR, TIF.
 //
-// The image library stands in one module that is opened when first needed (it drags hundreds of shared objects into the process); opening can
-// begin on another thread while the rendering runs. The module encodes into memory and this side writes the file: to a temporary name, then renamed,
+// PNG is written by our own code (png.h). For the others the image library stands in one module that is opened when first needed (it drags hundreds
+// of shared objects into the process); opening can begin on another thread while the rendering runs. The module encodes into memory and this side writes the file: to a temporary name, then renamed,
 // so that a failure (a full disk too) leaves what was there before. Same pixels, same bytes: no time stamps.
 #pragma once
 
@@ -62,6 +62,8 @@ public:
 
     // Begins to open the module on another thread.
     void start_loading();
+    // The same, unless `path` can be written without the module: a PNG can.
+    void start_loading_for(const std::filesystem::path& path);
     // Was the module opened? (--stats loaded.image)
     bool loaded() const { return opened_; }
 

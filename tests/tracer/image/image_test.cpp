@@ -132,6 +132,7 @@ TEST_CASE("every format is written, read back, and the same bytes again") {
     const Folder folder;
     ImageFiles files(WHITTLE_IMAGE_MODULE_DIR);
     CHECK(!files.loaded());
+    files.start_loading_for("a.png");
     files.start_loading();
     const Film film = ramp(0);
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.exr"}) {
@@ -184,6 +185,36 @@ TEST_CASE("an EXR keeps half colours, float planes and their names in one file")
     CHECK(full->floats[8 + red] == 0.05f);
 }
 
+TEST_CASE("a PNG of any content comes back bit by bit, without the module to write it") {
+    const Folder folder;
+    std::uint32_t state = 7;
+    for (int kind = 0; kind < 5; ++kind)
+        for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {257, 31}, {400, 300}}) {
+            Image image;
+            image.width = width;
+            image.height = height;
+            image.channels = {"R", "G", "B"};
+            image.types.assign(3, ChannelType::kByte);
+            for (int i = 0; i < width * height * 3; ++i) {
+                state = state * 1664525U + 1013904223U;
+                const std::uint32_t noise = state >> 24;
+                const std::uint32_t value = kind == 0 ? 0U : kind == 1 ? noise : kind == 2 ? static_cast<std::uint32_t>(i / 7) : kind == 3 ? (noise > 250 ? noise : 17U) : static_cast<std::uint32_t>(i * i / 3000);
+                image.bytes.push_back(static_cast<std::uint8_t>(value));
+            }
+            ImageFiles writer(folder.path);
+            REQUIRE(writer.write(folder.path / "a.png", image));
+            CHECK(!writer.loaded());
+            ImageFiles reader(WHITTLE_IMAGE_MODULE_DIR);
+            const Result<Image> back = reader.read(folder.path / "a.png");
+            REQUIRE(back);
+            REQUIRE(back->floats.size() == image.bytes.size());
+            bool equal = true;
+            for (std::size_t i = 0; i < image.bytes.size(); ++i) equal = equal && static_cast<int>(back->floats[i] * 255 + 0.5f) == image.bytes[i];
+            INFO("kind " << kind << ", " << width << " x " << height);
+            CHECK(equal);
+        }
+}
+
 TEST_CASE("planes have no place in a PNG") {
     const Result<Image> image = image_of(ramp(aov_bit(Aov::kDepth)), ImageFormat::kPng, PictureOptions{});
     REQUIRE(!image);
@@ -192,10 +223,10 @@ TEST_CASE("planes have no place in a PNG") {
 
 TEST_CASE("a failure leaves the file that was there, and nothing beside it") {
     const Folder folder;
-    const fs::path path = folder.path / "kept.png";
+    const fs::path path = folder.path / "kept.jpg";
     std::ofstream(path) << "old";
     ImageFiles nowhere(folder.path / "no" / "such");
-    const Result<Image> image = image_of(ramp(0), ImageFormat::kPng, PictureOptions{});
+    const Result<Image> image = image_of(ramp(0), ImageFormat::kJpeg, PictureOptions{});
     const Result<void> written = nowhere.write(path, *image);
     REQUIRE(!written);
     CHECK(written.error().fault == Fault::kWorld);
