@@ -44,6 +44,7 @@ struct LeafUse {
     Material material;
     SourcePlace place;
     bool subtracts = false;
+    std::uint32_t cut_depth = 0;  // of a subtracting use: how many operations stand above the outermost difference that subtracts it
 };
 
 // First border met from outside to inside; or the exit if the ray starts inside (`from_inside`).

@@ -1,0 +1,182 @@
+// compile.cpp — formula → program.
+#include <algorithm>
+#include <map>
+
+#include "tracer/engine/lower.h"
+#include "tracer/engine/program.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr std::uint32_t kFewItems = 3;     // fewer are asked in a row: a hierarchy of two nodes costs as much
+constexpr double kItemCost = 4;            // an item's test against a node's, measured on the drilled plate
+constexpr std::uint32_t kMostInLeaf = 2;
+constexpr double kTriangleCost = 1.5;
+constexpr std::uint32_t kMostTriangles = 4;
+
+class Compiler {
+public:
+    Compiler(Formula formula, bool snap) : formula_(std::move(formula)), classes_(find_classes(formula_.table, snap)) {}
+
+    std::shared_ptr<const Program> run() {
+        program_.uses = std::move(formula_.uses);
+        program_.motions = formula_.motions;
+        for (const PrismData& p : formula_.prisms) add_prism(p);
+        for (const MeshPart& m : formula_.meshes) add_mesh(m);
+        const FormulaNode& root = formula_.nodes[formula_.root];
+        program_.empty = root.kind == FormulaKind::kNothing;
+        program_.everything = root.kind == FormulaKind::kEverything;
+        program_.bounds = root.outside_value ? everywhere() : program_.empty ? Bounds{} : root.box;
+        if (!program_.empty && !program_.everything) program_.root = add(formula_.root);
+        program_.report.leaves = program_.uses.size();
+        program_.report.kept = program_.leaves.size();
+        program_.report.classes = classes_.supports.size();
+        program_.report.snap_fused = classes_.fused;
+        program_.report.snap_largest = classes_.largest;
+        program_.report.largest_displacement = formula_.largest_displacement;
+        program_.report.warnings = std::move(formula_.warnings);
+        if (emptied_ > 0)
+            program_.report.warnings.push_back(std::to_string(emptied_) + " parts are thinner than the snap and vanished; --no-snap keeps them");
+        program_.classes = std::move(classes_.supports);
+        program_.frames = std::move(formula_.table.frames);
+        return std::make_shared<const Program>(std::move(program_));
+    }
+
+private:
+    Ref add(FormulaId id) {
+        const FormulaNode& n = formula_.nodes[id];
+        if (n.kind == FormulaKind::kAnd || n.kind == FormulaKind::kOr) return add_group(n);
+        Leaf leaf;
+        leaf.kind = n.kind;
+        leaf.negated = n.negated;
+        leaf.use = n.use;
+        leaf.first = n.data;
+        if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
+        program_.leaves.push_back(leaf);
+        return Ref::leaf(static_cast<std::uint32_t>(program_.leaves.size() - 1));
+    }
+
+    void add_cell(const FormulaNode& n, Leaf& leaf) {
+        std::vector<HalfSpace> sides;
+        bool none = false;
+        for (const HalfSpaceRef& h : n.half_spaces) {
+            const ClassOfSupport c = classes_.of[h.support];
+            const HalfSpace side{(c.id << 1) | static_cast<std::uint32_t>(h.inverted != c.flipped)};
+            bool known = false;
+            for (const HalfSpace& s : sides) {
+                known = known || s.packed == side.packed;
+                none = none || s.packed == (side.packed ^ 1);
+            }
+            if (!known) sides.push_back(side);
+        }
+        if (none) ++emptied_;
+        const auto cost = [&](const HalfSpace& h) { return classes_.supports[h.id()].kind; };
+        std::stable_sort(sides.begin(), sides.end(), [&](const HalfSpace& a, const HalfSpace& b) { return cost(a) < cost(b); });
+        leaf.first = static_cast<std::uint32_t>(program_.half_spaces.size());
+        leaf.count = static_cast<std::uint32_t>(sides.size());
+        program_.half_spaces.insert(program_.half_spaces.end(), sides.begin(), sides.end());
+    }
+
+    static bool is_finite(const Bounds& b) { return std::isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z); }
+
+    Ref add_group(const FormulaNode& n) {
+        Group g;
+        g.is_and = n.kind == FormulaKind::kAnd;
+        g.outside_value = n.outside_value;
+        g.box = n.box;
+        g.bounded = is_finite(n.box);
+        std::vector<Ref> plain, items;
+        std::vector<Bounds> boxes;
+        for (const FormulaId child : n.children) {
+            const FormulaNode& c = formula_.nodes[child];
+            const bool boxed = c.outside_value == g.is_and && is_finite(c.box);
+            const Ref ref = add(child);
+            (boxed ? items : plain).push_back(ref);
+            if (boxed) boxes.push_back(c.box);
+        }
+        if (items.size() <= kFewItems) {
+            plain.insert(plain.end(), items.begin(), items.end());
+            items.clear();
+        }
+        g.first_plain = static_cast<std::uint32_t>(program_.refs.size());
+        g.plain_count = static_cast<std::uint32_t>(plain.size());
+        program_.refs.insert(program_.refs.end(), plain.begin(), plain.end());
+        if (!items.empty()) {
+            const Hierarchy h = build_hierarchy(boxes, kItemCost, kMostInLeaf);
+            g.first_item = static_cast<std::uint32_t>(program_.refs.size());
+            g.item_count = static_cast<std::uint32_t>(items.size());
+            g.hierarchy = static_cast<std::uint32_t>(program_.nodes.size());
+            for (const std::uint32_t i : h.order) program_.refs.push_back(items[i]);
+            for (BoxNode node : h.nodes) {
+                node.first += node.count > 0 ? g.first_item : g.hierarchy;
+                program_.nodes.push_back(node);
+            }
+        }
+        program_.groups.push_back(g);
+        return Ref::group(static_cast<std::uint32_t>(program_.groups.size() - 1));
+    }
+
+    void add_prism(const PrismData& p) {
+        PrismLeaf leaf;
+        leaf.frame = p.frame;
+        leaf.axis = p.axis;
+        std::size_t edge = 0;
+        for (const auto& contour : p.contours) {
+            const auto start = static_cast<std::uint32_t>(leaf.points.size());
+            for (std::size_t i = 0; i < contour.size(); ++i, ++edge) {
+                leaf.points.push_back(contour[i]);
+                leaf.next.push_back(i + 1 < contour.size() ? static_cast<std::uint32_t>(leaf.points.size()) : start);
+                leaf.edges.push_back(p.edges[edge] == kNoSupport ? kNoClass : classes_.of[p.edges[edge]].id);
+            }
+        }
+        program_.prisms.push_back(std::move(leaf));
+    }
+
+    void add_mesh(const MeshPart& m) {
+        auto& hierarchy = hierarchies_[m.mesh.get()];
+        if (!hierarchy) {
+            std::vector<Bounds> boxes;
+            for (const auto& t : m.mesh->triangles) {
+                const Vec3 &a = m.mesh->points[t[0]], &b = m.mesh->points[t[1]], &c = m.mesh->points[t[2]];
+                boxes.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+            }
+            if (boxes.empty()) boxes.push_back({Vec3(0), Vec3(0)});
+            auto built = std::make_shared<Hierarchy>(build_hierarchy(boxes, kTriangleCost, kMostTriangles));
+            if (m.mesh->triangles.empty()) built->order.clear(), built->nodes[0].count = 0;
+            hierarchy = std::move(built);
+        }
+        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}};
+        for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
+        program_.meshes.push_back(std::move(leaf));
+    }
+
+    Formula formula_;
+    Classes classes_;
+    Program program_;
+    std::map<const TriangleList*, std::shared_ptr<const Hierarchy>> hierarchies_;
+    std::uint64_t emptied_ = 0;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const Program>> compile(const Solid& solid, const EngineOptions& options) {
+    Result<Formula> formula = lower(solid);
+    if (!formula) return tl::unexpected<Error>(formula.error());
+    return Compiler(std::move(*formula), options.snap).run();
+}
+
+const BuildReport& build_report(const Program& program) { return program.report; }
+const std::vector<LeafUse>& leaf_uses(const Program& program) { return program.uses; }
+Bounds program_bounds(const Program& program) { return program.bounds; }
+
+EngineCounters& EngineCounters::operator+=(const EngineCounters& o) {
+    primitive_tests += o.primitive_tests;
+    spans_evaluated += o.spans_evaluated;
+    escalated_double_double += o.escalated_double_double;
+    escalated_exact += o.escalated_exact;
+    uncertified += o.uncertified;
+    return *this;
+}
+
+}  // namespace whittle

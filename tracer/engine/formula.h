@@ -1,0 +1,101 @@
+// formula.h — a solid written as a formula over half-spaces: AND and OR nodes in positive form, complements pushed to the leaves.
+//
+// Made from the canonical solid once (lower.h), with placements multiplied exactly and rounded once a frame; read by identity.h, which gives the
+// supports their classes, and by compile, which turns it into the flat program.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "csg/base/vec.h"
+#include "csg/solid/solid.h"
+#include "tracer/engine/engine.h"
+#include "tracer/engine/motion.h"
+#include "tracer/engine/support.h"
+
+namespace whittle {
+
+using SupportId = std::uint32_t;
+using FormulaId = std::uint32_t;
+
+// The side of a support that is inside: f <= 0 (`inverted` false) or f >= 0.
+struct HalfSpaceRef {
+    SupportId support = 0;
+    bool inverted = false;
+};
+
+// Where a support occurs: the box (root frame) that its faces may touch, the largest box of one occurrence, and the bound of the rounding that placements brought.
+struct Occurrence {
+    Bounds box;
+    double extent = 0;
+    double rounding = 0;
+};
+
+// All supports and frames of a solid, each once by exact equality; ids by first appearance.
+class SupportTable {
+public:
+    SupportTable();
+    FrameId frame(const Placement& placement, MotionId motion);
+    SupportId add(const Support& support, const Bounds& box, double rounding);
+
+    std::vector<Frame> frames;
+    std::vector<Support> supports;
+    std::vector<Occurrence> occurrences;
+
+private:
+    std::unordered_multimap<std::uint64_t, FrameId> frames_by_hash_;
+    std::unordered_multimap<std::uint64_t, SupportId> supports_by_hash_;
+};
+
+// A polygon swept along the axis of its frame without end: inside by parity of the crossings of its edges.
+struct PrismData {
+    FrameId frame = 0;
+    std::uint8_t axis = 2;
+    std::vector<std::vector<Vec2>> contours;  // in the coordinates axis+1, axis+2
+    std::vector<SupportId> edges;             // contour by contour, edge i from vertex i to i+1; an edge of no length has none (kNoSupport)
+};
+inline constexpr SupportId kNoSupport = 0xFFFFFFFF;
+
+struct TriangleList {
+    std::vector<Vec3> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// A closed mesh: inside by parity of the crossings of its triangles.
+struct MeshPart {
+    FrameId frame = 0;
+    std::shared_ptr<const TriangleList> mesh;
+    std::vector<SupportId> facets;  // one a triangle; kNoSupport where it has no area
+};
+
+enum class FormulaKind : std::uint8_t { kCell, kPrism, kMesh, kAnd, kOr, kNothing, kEverything };
+
+struct FormulaNode {
+    FormulaKind kind = FormulaKind::kNothing;
+    bool negated = false;        // leaves only
+    bool outside_value = false;  // its value everywhere outside `box`
+    Bounds box;                  // may be unbounded
+    std::uint32_t use = 0;       // leaves only
+    std::vector<FormulaId> children;
+    std::vector<HalfSpaceRef> half_spaces;  // kCell: inside all of them
+    std::uint32_t data = 0;                 // kPrism, kMesh: index
+};
+
+struct Formula {
+    SupportTable table;
+    std::vector<FormulaNode> nodes;
+    std::vector<PrismData> prisms;
+    std::vector<MeshPart> meshes;
+    std::vector<LeafUse> uses;
+    std::vector<MotionGroup> motions{1};  // Frame::motion indexes this
+    FormulaId root = 0;
+    double largest_displacement = 0;
+    std::vector<std::string> warnings;
+};
+
+inline Bounds everywhere() { return {Vec3(-HUGE_VAL), Vec3(HUGE_VAL)}; }
+
+}  // namespace whittle

@@ -1,0 +1,46 @@
+// frame.cpp — the rounded inverse of a placement, each entry to a few units of roundoff however ill-conditioned it is.
+#include "tracer/engine/bounded.h"
+#include "tracer/engine/dyadic.h"
+#include "tracer/engine/support.h"
+
+namespace whittle {
+
+namespace {
+
+double value_of(const Bounded& x) { return x.high(); }
+double value_of(const exact::Dyadic& x) { return x.approximate(); }
+bool precise(const Bounded& x) { return x.is_zero() || x.error() < 0x1p-56 * std::abs(x.high()); }
+bool precise(const exact::Dyadic&) { return true; }
+int sign_of(const Bounded& x) { return x.sign(); }
+int sign_of(const exact::Dyadic& x) { return x.sign(); }
+
+template <class N>
+bool invert(Frame& f) {
+    f.determinant_sign = 1;
+    const std::array<N, 3> origin{N(0.0), N(0.0), N(0.0)};
+    for (int j = 0; j < 3; ++j) {
+        Vec3 axis{0};
+        axis[j] = 1;
+        const FrameLine<N> line = line_in_frame<N>(f, origin, axis);
+        if (!precise(line.w)) return false;
+        for (int i = 0; i < 3; ++i) {
+            if (!precise(line.d[static_cast<std::size_t>(i)])) return false;
+            f.inverse[static_cast<std::size_t>(3 * i + j)] = value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w);
+        }
+        if (j == 2) f.determinant_sign = sign_of(line.w) < 0 ? -1 : 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+Frame make_frame(const Placement& placement) {
+    Frame f;
+    f.placement = placement;
+    f.identity = placement.is_identity();
+    if (f.identity) return f;
+    if (!invert<Bounded>(f)) invert<exact::Dyadic>(f);
+    return f;
+}
+
+}  // namespace whittle

@@ -1,0 +1,73 @@
+// gradient.cpp — gradients by kind.
+#include "tracer/engine/gradient.h"
+
+#include <algorithm>
+
+namespace whittle {
+
+namespace {
+
+Vec3 plane_gradient(const Support& s) {
+    const auto& p = s.p;
+    Vec3 n{0};
+    switch (s.kind) {
+        case SupportKind::kAxisPlane: n[s.axis] = 1; return n;
+        case SupportKind::kPlane: return {p[0], p[1], p[2]};
+        case SupportKind::kEdgePlane:
+            n[(s.axis + 1) % 3] = p[3] - p[1];
+            n[(s.axis + 2) % 3] = p[0] - p[2];
+            return n;
+        default: return glm::cross(Vec3(p[3] - p[0], p[4] - p[1], p[5] - p[2]), Vec3(p[6] - p[0], p[7] - p[1], p[8] - p[2]));
+    }
+}
+
+Vec3 curved_gradient(const Support& s, const Vec3& x) {
+    const auto& p = s.p;
+    const int u = (s.axis + 1) % 3, v = (s.axis + 2) % 3, w = s.axis;
+    Vec3 n{0};
+    switch (s.kind) {
+        case SupportKind::kBall:
+        case SupportKind::kTorusCore: return x - Vec3(p[0], p[1], p[2]);
+        case SupportKind::kEllipsoid: return (x - Vec3(p[0], p[1], p[2])) / (Vec3(p[3], p[4], p[5]) * Vec3(p[3], p[4], p[5]));
+        case SupportKind::kCylinder:
+        case SupportKind::kCone:
+            n[u] = x[u] - p[0];
+            n[v] = x[v] - p[1];
+            if (s.kind == SupportKind::kCone) {
+                const double slope = (p[5] - p[4]) / (p[3] - p[2]);
+                n[w] = -slope * (p[4] + slope * (x[w] - p[2]));
+            }
+            return n;
+        case SupportKind::kTube: {
+            const Vec3 a(p[0], p[1], p[2]), axis = Vec3(p[3], p[4], p[5]) - a;
+            return (x - a) - axis * (glm::dot(x - a, axis) / glm::dot(axis, axis));
+        }
+        case SupportKind::kTorus: {
+            const Vec3 c = x - Vec3(p[0], p[1], p[2]);
+            Vec3 flat = c;
+            flat[w] = 0;
+            const double rho = glm::length(flat);
+            return rho > 0 ? c - flat * (p[3] / rho) : c;
+        }
+        default:
+            return {2 * p[0] * x.x + p[3] * x.y + p[4] * x.z + p[6], 2 * p[1] * x.y + p[3] * x.x + p[5] * x.z + p[7],
+                    2 * p[2] * x.z + p[4] * x.x + p[5] * x.y + p[8]};
+    }
+}
+
+}  // namespace
+
+Vec3 unit_gradient(const Support& support, const Frame& frame, const Vec3& point) {
+    const auto& k = frame.inverse;
+    Vec3 local = point;
+    if (!frame.identity) {
+        const Vec3 from = point - Vec3(frame.placement.offset(0), frame.placement.offset(1), frame.placement.offset(2));
+        local = {k[0] * from.x + k[1] * from.y + k[2] * from.z, k[3] * from.x + k[4] * from.y + k[5] * from.z, k[6] * from.x + k[7] * from.y + k[8] * from.z};
+    }
+    Vec3 n = is_plane(support.kind) ? plane_gradient(support) : curved_gradient(support, local);
+    if (!frame.identity) n = {k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z};
+    const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    return most > 0 ? glm::normalize(n / most) : Vec3(0, 0, 1);
+}
+
+}  // namespace whittle

@@ -1,0 +1,76 @@
+// lowering.h — the walk from solid to formula; private to lower*.cpp.
+#pragma once
+
+#include <map>
+
+#include "csg/base/result.h"
+#include "tracer/engine/chain.h"
+#include "tracer/engine/formula.h"
+#include "tracer/engine/placer.h"
+
+namespace whittle {
+
+// Where in the tree a node stands.
+struct Site {
+    Chain chain;
+    MotionId motion = 0;
+    bool negated = false;
+    std::uint32_t cut_depth = 0, depth = 0;
+    std::uint32_t use = 0xFFFFFFFF;  // set below an extrusion or revolution: its profile belongs to its use
+    const Material* material = nullptr;
+    SourcePlace place;
+};
+
+inline constexpr std::uint32_t kNoUse = 0xFFFFFFFF;
+
+class Lowering {
+public:
+    explicit Lowering(const Solid& solid) : solid_(solid) {}
+    Result<Formula> run();
+
+private:
+    FormulaId node(NodeId id, const Site& site);
+    FormulaId use(const Use& use, const Site& site);
+    FormulaId combination(const Combination& c, const Site& site);
+    FormulaId shape(NodeId id, const Shape& shape, Site site);
+
+    // One shape each; `site.use` is set.
+    FormulaId box(Vec3 lo, Vec3 hi, const Site& site);
+    FormulaId operator_shape(const shape::Ellipsoid& s, const Site& site);
+    FormulaId operator_shape(const shape::Frustum& s, const Site& site);
+    FormulaId operator_shape(const shape::Torus& s, const Site& site);
+    FormulaId operator_shape(const shape::HalfSpace& s, const Site& site);
+    FormulaId operator_shape(const shape::Quadric& s, const Site& site);
+    FormulaId operator_shape(const shape::Capsule& s, const Site& site);
+    FormulaId operator_shape(const shape::RoundBox& s, const Site& site);
+    FormulaId operator_shape(const shape::Extrusion& s, const Site& site);
+    FormulaId operator_shape(const shape::Revolution& s, const Site& site);
+    FormulaId operator_shape(const shape::Disc& s, const Site& site);
+    FormulaId operator_shape(const shape::Rectangle& s, const Site& site);
+    FormulaId operator_shape(const shape::Polygon& s, const Site& site);
+    FormulaId faceted(NodeId id, const Site& site);
+    FormulaId prism(const std::vector<std::vector<Vec2>>& contours, const Site& site);
+
+    // Revolution of a 2D node; `plane` maps the profile's plane (x: radius, y: height).
+    bool revolvable(NodeId id, const Chain& plane) const;
+    FormulaId revolved(NodeId id, const Chain& plane, const Site& site);
+    FormulaId revolved_disc(double x, double z, double r, const Site& site);
+    FormulaId revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site);
+    FormulaId ring(double z0, double z1, Vec2 inner0, Vec2 inner1, Vec2 outer0, Vec2 outer1, bool has_inner, const Site& site);
+    FormulaId wedge(double start_deg, double angle_deg, const Bounds& box, const Site& site);
+
+    // Nodes; simplified where that needs no geometry. AND and OR swap where the site is negated.
+    FormulaId cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site);
+    FormulaId all_of(std::vector<FormulaId> children, const Site& site);
+    FormulaId any_of(std::vector<FormulaId> children, const Site& site);
+    FormulaId join(FormulaKind kind, std::vector<FormulaId> children);
+    FormulaId constant(bool value);
+    FormulaId push(FormulaNode node);
+
+    const Solid& solid_;
+    Formula out_;
+    std::map<NodeId, std::shared_ptr<const TriangleList>> triangles_;
+    std::string failure_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,110 @@
+// parity.cpp — prisms and meshes: a ray is inside behind an odd number of crossings. Which facets it crosses is decided by sides of vertices and
+// edges alone; where, by the class of the facet.
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/engine/leaf.h"
+#include "tracer/engine/side.h"
+
+namespace whittle {
+
+namespace {
+
+void push_crossing(RayContext& context, ClassId id, std::vector<Event>& out) {
+    Crossings c;
+    context.crossings(id, c);
+    if (c.count == 1) out.push_back({c.t[0], c.error[0], id, 0, false});
+}
+
+// A ray along the prism: inside everywhere or nowhere.
+bool inside_along(const PrismLeaf& p, RayContext& context) {
+    bool inside = false;
+    for (std::size_t i = 0; i < p.points.size(); ++i) {
+        const Vec2 a = p.points[i], b = p.points[p.next[i]];
+        const int ha = height_against(context, p.frame, p.axis, a.y), hb = height_against(context, p.frame, p.axis, b.y);
+        if (ha == hb) continue;
+        const int side = side_of_line(context, p.frame, p.axis, a, b);
+        // Crossed by the half-line towards +u: left of an edge that goes up.
+        if ((hb < 0) == (side > 0)) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace
+
+bool prism_events(const PrismLeaf& p, RayContext& context, std::vector<Event>& out) {
+    const std::size_t first = out.size();
+    for (std::size_t i = 0; i < p.points.size();) {
+        // One contour: its last vertex leads back to its first.
+        const std::size_t start = i;
+        const int first_side = side_of_point(context, p.frame, p.axis, p.points[i]);
+        if (first_side == 0) return inside_along(p, context);
+        int side = first_side;
+        while (true) {
+            const bool closes = p.next[i] == start;
+            const int next_side = closes ? first_side : side_of_point(context, p.frame, p.axis, p.points[i + 1]);
+            if (side != next_side && p.edges[i] != kNoClass) push_crossing(context, p.edges[i], out);
+            side = next_side;
+            ++i;
+            if (closes) break;
+        }
+    }
+    sort_by_parity(context, out, first);
+    return false;
+}
+
+namespace {
+
+void test_triangle(const MeshLeaf& m, std::uint32_t index, RayContext& context, std::vector<Event>& out) {
+    const auto& t = m.mesh->triangles[index];
+    int wanted = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+        const int s = a < b ? side_of_edge(context, m.frame, m.mesh->points[a], m.mesh->points[b])
+                            : -side_of_edge(context, m.frame, m.mesh->points[b], m.mesh->points[a]);
+        if (s == 0 || (wanted != 0 && s != wanted)) return;
+        wanted = s;
+    }
+    push_crossing(context, m.facets[index], out);
+}
+
+}  // namespace
+
+bool mesh_events(const MeshLeaf& m, RayContext& context, std::vector<Event>& out) {
+    const std::size_t first = out.size();
+    const FrameRay& local = context.frame_ray(m.frame);
+    // The local ray is rounded: boxes grow by what the rounding can move it within the mesh.
+    const auto& nodes = m.hierarchy->nodes;
+    double reach = 0, slack = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        reach = std::max({reach, std::abs(nodes[0].lo[i] - local.o[i]), std::abs(nodes[0].hi[i] - local.o[i])});
+        slack = std::max(slack, local.eo[i]);
+    }
+    double fastest = 0, drift = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        fastest = std::max(fastest, std::abs(local.d[i]));
+        drift = std::max(drift, local.ed[i]);
+    }
+    if (fastest > 0) slack += 2 * reach * (drift / fastest) + 0x1p-50 * reach;
+    const SlabRay slab = slab_ray(local.o, local.d);
+    std::array<std::uint32_t, 128> stack;
+    std::size_t top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+        const BoxNode& node = nodes[stack[--top]];
+        std::array<double, 3> lo, hi;
+        for (std::size_t i = 0; i < 3; ++i) lo[i] = node.lo[i] - slack, hi[i] = node.hi[i] + slack;
+        double from = 0, to = 0;
+        if (!slab_interval(lo, hi, slab, from, to)) continue;
+        if (node.count > 0) {
+            for (std::uint32_t i = 0; i < node.count; ++i) test_triangle(m, m.hierarchy->order[node.first + i], context, out);
+        } else {
+            stack[top++] = node.first;
+            stack[top++] = node.first + 1;
+        }
+    }
+    sort_by_parity(context, out, first);
+    return false;
+}
+
+}  // namespace whittle

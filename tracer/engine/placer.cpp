@@ -1,0 +1,214 @@
+// placer.cpp — shapes' numbers in their frame, and the table of supports.
+#include "tracer/engine/placer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace whittle {
+
+namespace {
+
+Wide magnitude(Wide x) { return x < 0 ? -x : x; }
+
+std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
+    h ^= v + 0x9E3779B97F4A7C15u + (h << 6) + (h >> 2);
+    h *= 0xFF51AFD7ED558CCDu;
+    return h ^ (h >> 32);
+}
+
+template <std::size_t N>
+std::uint64_t hash_of(const std::array<double, N>& a, std::uint64_t h) {
+    for (const double x : a) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        h = mix(h, bits);
+    }
+    return h;
+}
+
+void include(Bounds& a, const Bounds& b) {
+    if (b.empty()) return;
+    a = a.empty() ? b : Bounds{glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
+}
+
+bool can_absorb(const AxisMap& map, Absorb absorb) {
+    if (absorb == Absorb::kAny) return true;
+    if (absorb == Absorb::kUniformScale) return map.is_uniform();
+    if (absorb == Absorb::kRigid) return map.is_uniform() && magnitude(map.scale[0]) == 1;
+    return false;
+}
+
+}  // namespace
+
+SupportTable::SupportTable() { frame(Placement{}, 0); }
+
+FrameId SupportTable::frame(const Placement& placement, MotionId motion) {
+    const std::uint64_t h = hash_of(placement.m, motion);
+    const auto [from, to] = frames_by_hash_.equal_range(h);
+    for (auto it = from; it != to; ++it)
+        if (frames[it->second].placement == placement && frames[it->second].motion == motion) return it->second;
+    const auto id = static_cast<FrameId>(frames.size());
+    frames.push_back(make_frame(placement));
+    frames.back().motion = motion;
+    if (motion != 0) frames.back().identity = false;
+    frames_by_hash_.emplace(h, id);
+    return id;
+}
+
+SupportId SupportTable::add(const Support& support, const Bounds& box, double rounding) {
+    const double extent = box.empty() ? 0 : std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+    const std::uint64_t h = hash_of(support.p, static_cast<std::uint64_t>(support.kind) * 8 + support.axis + (std::uint64_t{support.frame} << 8));
+    const auto [from, to] = supports_by_hash_.equal_range(h);
+    for (auto it = from; it != to; ++it)
+        if (supports[it->second] == support) {
+            Occurrence& o = occurrences[it->second];
+            include(o.box, box);
+            o.extent = std::max(o.extent, extent);
+            o.rounding = std::max(o.rounding, rounding);
+            return it->second;
+        }
+    const auto id = static_cast<SupportId>(supports.size());
+    supports.push_back(support);
+    occurrences.push_back({box, extent, rounding});
+    supports_by_hash_.emplace(h, id);
+    return id;
+}
+
+Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb) : formula_(formula) {
+    const bool taken = can_absorb(chain.inner(), absorb);
+    if (taken) map_ = chain.inner();
+    frame_ = formula.table.frame(taken ? chain.outer() : chain.whole(), motion);
+    root_box_ = everywhere();
+    double size = 0;
+    for (int i = 0; i < 3; ++i)
+        for (const double x : {box.lo[i], box.hi[i]})
+            if (std::isfinite(x)) size = std::max(size, std::abs(x));
+    rounding_ = chain.rounding_for(size);
+    const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
+    if (finite && motion == 0) {
+        root_box_ = placed_bounds(box, chain.whole());
+        const double room = 4 * rounding_;
+        root_box_.lo -= room;
+        root_box_.hi += room;
+    }
+}
+
+double Placer::rounded(Wide x) {
+    const double r = to_double(x) + 0.0;
+    formula_.largest_displacement = std::max(formula_.largest_displacement, to_double(magnitude(x - r)));
+    return r;
+}
+
+double Placer::coordinate(std::size_t i, double local) { return rounded(map_.scale[i] * local + map_.shift[i]); }
+
+int Placer::axis_of(int axis) const {
+    for (int i = 0; i < 3; ++i)
+        if (map_.from[static_cast<std::size_t>(i)] == axis) return i;
+    return axis;
+}
+
+Vec3 Placer::point(Vec3 p) { return {coordinate(0, p[map_.from[0]]), coordinate(1, p[map_.from[1]]), coordinate(2, p[map_.from[2]])}; }
+
+double Placer::length(double r, int axis) { return rounded(magnitude(map_.scale[static_cast<std::size_t>(axis_of(axis))]) * r); }
+
+HalfSpaceRef Placer::add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted) {
+    Support s;
+    s.kind = kind;
+    s.axis = static_cast<std::uint8_t>(axis);
+    s.frame = frame_;
+    for (double& x : p) x += 0.0;
+    s.p = p;
+    return {formula_.table.add(s, root_box_, rounding_), inverted};
+}
+
+HalfSpaceRef Placer::axis_plane(int axis, double value, bool below) {
+    const int i = axis_of(axis);
+    const bool flip = map_.scale[static_cast<std::size_t>(i)] < 0;
+    return add(SupportKind::kAxisPlane, i, {coordinate(static_cast<std::size_t>(i), value)}, below == flip);
+}
+
+HalfSpaceRef Placer::plane(Vec3 n, double d) {
+    for (int i = 0; i < 3; ++i)
+        if (n[i] != 0 && n[(i + 1) % 3] == 0 && n[(i + 2) % 3] == 0) return axis_plane(i, d / n[i], n[i] > 0);
+    Vec3 m;
+    Wide offset = d;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Wide k = map_.scale[i] * n[map_.from[i]];
+        m[static_cast<int>(i)] = to_double(k);
+        offset += k * map_.shift[i];
+    }
+    bool inverted = false;
+    for (int i = 0; i < 3; ++i)
+        if (m[i] != 0) {
+            inverted = m[i] < 0;
+            break;
+        }
+    const double sign = inverted ? -1 : 1;
+    return add(SupportKind::kPlane, 0, {sign * m.x, sign * m.y, sign * m.z, sign * rounded(offset)}, inverted);
+}
+
+HalfSpaceRef Placer::ball(Vec3 centre, double r) {
+    if (!map_.is_uniform()) return ellipsoid(centre, Vec3(r));
+    const Vec3 c = point(centre);
+    return add(SupportKind::kBall, 0, {c.x, c.y, c.z, length(r, 0)}, false);
+}
+
+HalfSpaceRef Placer::ellipsoid(Vec3 centre, Vec3 radii) {
+    const Vec3 c = point(centre);
+    Vec3 r;
+    for (std::size_t i = 0; i < 3; ++i) r[static_cast<int>(i)] = rounded(magnitude(map_.scale[i]) * radii[map_.from[i]]);
+    if (r.x == r.y && r.y == r.z) return add(SupportKind::kBall, 0, {c.x, c.y, c.z, r.x}, false);
+    return add(SupportKind::kEllipsoid, 0, {c.x, c.y, c.z, r.x, r.y, r.z}, false);
+}
+
+HalfSpaceRef Placer::cylinder(int axis, Vec3 through, double r) {
+    const int i = axis_of(axis);
+    const Vec3 c = point(through);
+    return add(SupportKind::kCylinder, i, {c[(i + 1) % 3], c[(i + 2) % 3], length(r, (axis + 1) % 3)}, false);
+}
+
+HalfSpaceRef Placer::cone(int axis, Vec3 through, double z0, double z1, double r0, double r1) {
+    const int i = axis_of(axis);
+    const Vec3 c = point(through);
+    double a = coordinate(static_cast<std::size_t>(i), z0), b = coordinate(static_cast<std::size_t>(i), z1);
+    double ra = length(r0, (axis + 1) % 3), rb = length(r1, (axis + 1) % 3);
+    if (a > b) {
+        std::swap(a, b);
+        std::swap(ra, rb);
+    }
+    return add(SupportKind::kCone, i, {c[(i + 1) % 3], c[(i + 2) % 3], a, b, ra, rb}, false);
+}
+
+HalfSpaceRef Placer::tube(Vec3 p, Vec3 q, double r) {
+    const Vec3 a = point(p), b = point(q);
+    return add(SupportKind::kTube, 0, {a.x, a.y, a.z, b.x, b.y, b.z, length(r, 0)}, false);
+}
+
+HalfSpaceRef Placer::quadric(const std::array<double, 10>& c) { return add(SupportKind::kQuadric, 0, c, false); }
+
+HalfSpaceRef Placer::torus(Vec3 centre, double major, double minor) {
+    const Vec3 c = point(centre);
+    return add(SupportKind::kTorus, axis_of(2), {c.x, c.y, c.z, length(major, 0), length(minor, 0)}, false);
+}
+
+HalfSpaceRef Placer::torus_core(Vec3 centre, double major, double minor) {
+    const Vec3 c = point(centre);
+    return add(SupportKind::kTorusCore, axis_of(2), {c.x, c.y, c.z, length(major, 0), length(minor, 0)}, false);
+}
+
+SupportId Placer::edge_plane(int axis, Vec2 a, Vec2 b) {
+    if (a == b) return kNoSupport;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    if (a.x == b.x) return add(SupportKind::kAxisPlane, u, {a.x}, false).support;
+    if (a.y == b.y) return add(SupportKind::kAxisPlane, v, {a.y}, false).support;
+    if (b.x < a.x) std::swap(a, b);
+    return add(SupportKind::kEdgePlane, axis, {a.x, a.y, b.x, b.y}, false).support;
+}
+
+SupportId Placer::facet(const Vec3& a, const Vec3& b, const Vec3& c) {
+    for (int i = 0; i < 3; ++i)
+        if (a[i] == b[i] && b[i] == c[i]) return add(SupportKind::kAxisPlane, i, {a[i]}, false).support;
+    return add(SupportKind::kPlanePoints, 0, {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}, false).support;
+}
+
+}  // namespace whittle

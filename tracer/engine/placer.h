@@ -1,0 +1,52 @@
+// placer.h — writes half-spaces given in a shape's own coordinates into the frame that holds them.
+#pragma once
+
+#include "tracer/engine/chain.h"
+#include "tracer/engine/formula.h"
+
+namespace whittle {
+
+// How much of a chain's axis map a shape can take into its own numbers.
+enum class Absorb { kAny, kUniformScale, kRigid, kNothing };
+
+class Placer {
+public:
+    // `box`: the shape's, in its own coordinates.
+    Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb);
+
+    // Inside where the coordinate is at most (below) or at least `value`.
+    HalfSpaceRef axis_plane(int axis, double value, bool below);
+    HalfSpaceRef plane(Vec3 n, double d);  // n.p <= d; needs kRigid or less, or an axis-parallel n
+    HalfSpaceRef ball(Vec3 centre, double r);
+    HalfSpaceRef ellipsoid(Vec3 centre, Vec3 radii);
+    HalfSpaceRef cylinder(int axis, Vec3 through, double r);
+    HalfSpaceRef cone(int axis, Vec3 through, double z0, double z1, double r0, double r1);
+    HalfSpaceRef tube(Vec3 p, Vec3 q, double r);
+    HalfSpaceRef quadric(const std::array<double, 10>& c);
+    HalfSpaceRef torus(Vec3 centre, double major, double minor);       // about z
+    HalfSpaceRef torus_core(Vec3 centre, double major, double minor);  // about z
+    SupportId edge_plane(int axis, Vec2 a, Vec2 b);
+    SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
+
+    FrameId frame() const { return frame_; }
+    // The frame's axis that the shape's axis becomes.
+    int axis_of(int axis) const;
+    // The point in the frame's coordinates, each rounded once.
+    Vec3 point(Vec3 p);
+    double length(double r, int axis);
+    // Around the shape, in the root frame, outward rounded.
+    const Bounds& root_box() const { return root_box_; }
+
+private:
+    HalfSpaceRef add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted);
+    double coordinate(std::size_t i, double local);
+    double rounded(Wide x);
+
+    Formula& formula_;
+    FrameId frame_ = 0;
+    AxisMap map_;
+    Bounds root_box_;
+    double rounding_ = 0;
+};
+
+}  // namespace whittle

@@ -1,0 +1,85 @@
+// program.h — what the engine runs: leaves and groups in flat arrays, a bounding volume hierarchy under every wide group. Immutable.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tracer/engine/bvh.h"
+#include "tracer/engine/engine.h"
+#include "tracer/engine/formula.h"
+#include "tracer/engine/identity.h"
+
+namespace whittle {
+
+// A class's side: inside where f <= 0, or f >= 0 where inverted.
+struct HalfSpace {
+    std::uint32_t packed = 0;
+    ClassId id() const { return packed >> 1; }
+    bool inverted() const { return (packed & 1) != 0; }
+};
+
+// A leaf of the formula. kCell: half_spaces[first, first+count), planes first. kPrism, kMesh: data index in `first`.
+struct Leaf {
+    FormulaKind kind = FormulaKind::kCell;
+    bool negated = false;
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t use = 0;
+};
+
+// A leaf or a group.
+struct Ref {
+    std::uint32_t packed = 0;
+    bool is_leaf() const { return (packed >> 31) != 0; }
+    std::uint32_t index() const { return packed & 0x7FFFFFFF; }
+    static Ref leaf(std::uint32_t i) { return {i | 0x80000000}; }
+    static Ref group(std::uint32_t i) { return {i}; }
+};
+
+// AND or OR of refs. `plain` ones are asked always; those in the hierarchy have the group's neutral value outside their boxes.
+struct Group {
+    bool is_and = false;
+    bool outside_value = false;
+    bool bounded = false;
+    Bounds box;
+    std::uint32_t first_plain = 0, plain_count = 0;
+    std::uint32_t first_item = 0, item_count = 0;  // into `refs`, in the hierarchy's order
+    std::uint32_t hierarchy = 0;                   // root node in `nodes`, if item_count > 0
+};
+
+struct PrismLeaf {
+    FrameId frame = 0;
+    std::uint8_t axis = 2;
+    std::vector<Vec2> points;
+    std::vector<std::uint32_t> next;  // the vertex that ends the edge from this one
+    std::vector<ClassId> edges;       // class of that edge; kNoClass where it has no length
+};
+
+struct MeshLeaf {
+    FrameId frame = 0;
+    std::shared_ptr<const TriangleList> mesh;
+    std::shared_ptr<const Hierarchy> hierarchy;
+    std::vector<ClassId> facets;
+};
+
+class Program {
+public:
+    std::vector<Frame> frames;
+    std::vector<MotionGroup> motions;
+    std::vector<Support> classes;
+    std::vector<HalfSpace> half_spaces;
+    std::vector<Leaf> leaves;
+    std::vector<Group> groups;
+    std::vector<Ref> refs;
+    std::vector<BoxNode> nodes;
+    std::vector<PrismLeaf> prisms;
+    std::vector<MeshLeaf> meshes;
+    std::vector<LeafUse> uses;
+    Ref root;
+    bool empty = true;       // nothing inside anywhere
+    bool everything = false;
+    Bounds bounds;
+    BuildReport report;
+};
+
+}  // namespace whittle

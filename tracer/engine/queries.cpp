@@ -1,0 +1,141 @@
+// queries.cpp — first hit, any hit, all spans: the walker's events made into borders with normals and labels.
+#include <algorithm>
+
+#include "tracer/engine/gradient.h"
+#include "tracer/engine/walker.h"
+
+namespace whittle {
+
+struct Scratch::Impl {
+    Walker walker;
+    std::vector<Walker::Cause> causes;
+};
+
+Scratch::Scratch() : impl(std::make_unique<Impl>()) {}
+Scratch::~Scratch() = default;
+Scratch::Scratch(Scratch&&) noexcept = default;
+Scratch& Scratch::operator=(Scratch&&) noexcept = default;
+
+namespace {
+
+Event origin(bool before) { return {0, 0, kNoClass, 0, before}; }
+
+// A cutter that names its surface shows it, the outermost cut first; else the least use that is not subtracted; else, on a face that only unnamed
+// cutters made, the use whose matter is left.
+std::uint32_t shown_use(const Program& program, Walker& walker, const std::vector<Walker::Cause>& causes, const Event& at, bool entering) {
+    std::uint32_t cutter = Walker::kNoLeafUse, body = Walker::kNoLeafUse, least = Walker::kNoLeafUse;
+    for (const Walker::Cause& c : causes) {
+        const std::uint32_t use = program.leaves[c.leaf].use;
+        const LeafUse& u = program.uses[use];
+        least = std::min(least, use);
+        if (!u.subtracts) {
+            body = std::min(body, use);
+        } else if (u.material.names_surface()) {
+            const bool better = cutter == Walker::kNoLeafUse || u.cut_depth < program.uses[cutter].cut_depth ||
+                                (u.cut_depth == program.uses[cutter].cut_depth && use < cutter);
+            if (better) cutter = use;
+        }
+    }
+    if (cutter != Walker::kNoLeafUse) return cutter;
+    if (body != Walker::kNoLeafUse) return body;
+    Event inside = at;
+    inside.before = !entering;
+    const std::uint32_t held = walker.containing_use(program.root, inside);
+    return held != Walker::kNoLeafUse ? held : least;
+}
+
+End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const Event& e, bool entering) {
+    impl.causes.clear();
+    Event at = e;
+    at.before = false;
+    impl.walker.causes(program.root, at, impl.causes);
+    End end;
+    end.t = e.t;
+    end.t_error = e.error;
+    end.surface = impl.causes.empty() ? e.id : impl.causes.front().id;
+    for (const Walker::Cause& c : impl.causes)
+        if (c.id == e.id) end.surface = e.id;
+    end.use = shown_use(program, impl.walker, impl.causes, at, entering);
+    const Support& support = program.classes[end.surface];
+    end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point_at(ray, e.t));
+    const double along = glm::dot(end.normal, ray.direction);
+    if ((along > 0) == entering) end.normal = -end.normal;
+    return end;
+}
+
+}  // namespace
+
+bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch, Hit& hit) {
+    if (program.empty || program.everything) return false;
+    Scratch::Impl& impl = *scratch.impl;
+    ++scratch.counters.spans_evaluated;
+    impl.walker.start(program, ray, scratch.counters, t_max);
+    const Event start = origin(ray.departure == nullptr);
+    Event e;
+    Found found = impl.walker.next(program.root, start, true, e);
+    hit.from_inside = found == Found::kHere;
+    if (hit.from_inside) found = impl.walker.next(program.root, origin(false), false, e);
+    if (found != Found::kLater || e.t > t_max) return false;
+    hit.end = make_end(program, impl, ray, e, !hit.from_inside);
+    hit.point = point_at(ray, e.t);
+    hit.departure.count = 0;
+    for (const Walker::Cause& c : impl.causes) {
+        const auto used = hit.departure.classes.begin() + hit.departure.count;
+        if (hit.departure.count < static_cast<int>(hit.departure.classes.size()) && std::find(hit.departure.classes.begin(), used, c.id) == used)
+            hit.departure.classes[static_cast<std::size_t>(hit.departure.count++)] = c.id;
+    }
+    return true;
+}
+
+bool any_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch) {
+    if (program.empty) return false;
+    if (program.everything) return true;
+    Walker& walker = scratch.impl->walker;
+    ++scratch.counters.spans_evaluated;
+    walker.start(program, ray, scratch.counters, t_max);
+    Event e;
+    const Found found = walker.next(program.root, origin(false), true, e);
+    return found == Found::kHere || (found == Found::kLater && e.t < t_max);
+}
+
+void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& spans) {
+    spans.clear();
+    if (program.empty) return;
+    if (program.everything) {
+        spans.emplace_back();
+        return;
+    }
+    Scratch::Impl& impl = *scratch.impl;
+    Walker& walker = impl.walker;
+    ++scratch.counters.spans_evaluated;
+    walker.start(program, ray, scratch.counters, HUGE_VAL);
+    const Walker::Changes changes = walker.all_changes(program.root);
+    bool inside = changes.initial;
+    bool open = false;
+    const auto open_span = [&] {
+        spans.emplace_back();
+        open = true;
+    };
+    bool started = false;
+    for (std::uint32_t i = 0; i < changes.count; ++i) {
+        const Event e = walker.change(changes.first + i);
+        const int where = walker.context().compare(e, origin(false));
+        if (where < 0 || (where == 0 && ray.departure != nullptr)) {
+            inside = !inside;
+            continue;
+        }
+        if (!started && inside && where > 0) open_span();
+        started = true;
+        inside = !inside;
+        if (inside) {
+            open_span();
+            spans.back().in = make_end(program, impl, ray, e, true);
+        } else if (open) {
+            spans.back().out = make_end(program, impl, ray, e, false);
+            open = false;
+        }
+    }
+    if (!started && inside) open_span();
+}
+
+}  // namespace whittle

@@ -1,0 +1,113 @@
+// ray_context.cpp — frames, crossings and comparisons of one ray.
+#include "tracer/engine/ray_context.h"
+
+namespace whittle {
+
+void RayContext::start(const Program& program, const Ray& ray, EngineCounters& counters) {
+    if (program_ != &program) {
+        frame_stamps_.assign(program.frames.size(), 0);
+        frame_rays_.resize(program.frames.size());
+        moved_.resize(program.motions.size() > 1 ? program.frames.size() : 0);
+        stamp_ = 0;
+        program_ = &program;
+    }
+    if (++stamp_ == 0) {
+        std::fill(frame_stamps_.begin(), frame_stamps_.end(), 0);
+        stamp_ = 1;
+    }
+    ray_ = ray;
+    counters_ = &counters;
+    exact_.clear();
+    root_ = ray_in_frame(program.frames[0], ray);
+    slab_ = slab_ray(root_.o, root_.d);
+}
+
+namespace {
+
+Placement whole_motion(const std::vector<MotionGroup>& motions, MotionId id, double time) {
+    if (id == 0) return {};
+    const MotionGroup& g = motions[id];
+    return whole_motion(motions, g.parent, time) * g.outer * placement_at(g.motion, time);
+}
+
+}  // namespace
+
+const Frame& RayContext::frame(FrameId id) {
+    const Frame& f = program_->frames[id];
+    if (f.motion == 0) return f;
+    frame_ray(id);
+    return moved_[id];
+}
+
+const FrameRay& RayContext::frame_ray(FrameId id) {
+    if (id == 0) return root_;
+    if (frame_stamps_[id] != stamp_) {
+        frame_stamps_[id] = stamp_;
+        const Frame& f = program_->frames[id];
+        if (f.motion == 0) {
+            frame_rays_[id] = ray_in_frame(f, ray_);
+        } else {
+            moved_[id] = make_frame(whole_motion(program_->motions, f.motion, ray_.time) * f.placement);
+            frame_rays_[id] = ray_in_frame(moved_[id], ray_);
+        }
+    }
+    return frame_rays_[id];
+}
+
+bool RayContext::leaves(ClassId id) const {
+    if (ray_.departure == nullptr) return false;
+    for (int i = 0; i < ray_.departure->count; ++i)
+        if (ray_.departure->classes[static_cast<std::size_t>(i)] == id) return true;
+    return false;
+}
+
+void RayContext::crossings(ClassId id, Crossings& out) {
+    const Support& s = program_->classes[id];
+    const FrameRay& local = frame_ray(s.frame);
+    const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
+    if (!decided) out = exact(id).crossings;
+}
+
+const RayContext::Exact& RayContext::exact(ClassId id) {
+    for (const Exact& e : exact_)
+        if (e.id == id) return e;
+    const Support& s = program_->classes[id];
+    Exact e;
+    e.id = id;
+    ++counters_->escalated_exact;
+    e.roots = exact_crossings(s, frame(s.frame), ray_, leaves(id), e.crossings);
+    exact_.push_back(std::move(e));
+    return exact_.back();
+}
+
+bool RayContext::fine(const Event& e, double& high, double& low, double& error) {
+    if (e.id == kNoClass) {
+        high = e.t;
+        low = error = 0;
+        return true;
+    }
+    const Support& s = program_->classes[e.id];
+    return fine_crossing(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
+}
+
+int RayContext::compare_closely(const Event& a, const Event& b) {
+    if (a.id == b.id) return a.id == kNoClass ? (a.t > b.t) - (a.t < b.t) : (a.index > b.index) - (a.index < b.index);
+    ++counters_->escalated_double_double;
+    double ah = 0, al = 0, ae = 0, bh = 0, bl = 0, be = 0;
+    if (fine(a, ah, al, ae) && fine(b, bh, bl, be)) {
+        const double d = (ah - bh) + (al - bl), room = ae + be + 0x1p-100 * (std::abs(ah) + std::abs(bh));
+        if (d > room) return 1;
+        if (d < -room) return -1;
+    }
+    return compare_exactly(a, b);
+}
+
+int RayContext::compare_exactly(const Event& a, const Event& b) {
+    ++counters_->escalated_exact;
+    if (a.id == kNoClass) return -compare_exactly(b, a);
+    const exact::RealRoot first = exact(a.id).roots[a.index];
+    if (b.id == kNoClass) return first.sign();
+    return exact::RealRoot::compare(first, exact(b.id).roots[b.index]);
+}
+
+}  // namespace whittle

@@ -1,0 +1,71 @@
+// ray_context.h — one ray and what is known of it so far: its frames, its crossings, the order of its events. Private to the engine.
+//
+// An event is (class, crossing): only the class's coefficients compute its t. Two events are compared by t and bounds; where the bounds overlap, in
+// double-double; where that cannot tell either, exactly. docs/numerics.md, order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tracer/engine/exact_crossings.h"
+#include "tracer/engine/program.h"
+
+namespace whittle {
+
+// A crossing of a class; or, with no class, t = 0 or an infinite t. As a cursor it means the place just behind the event, or just before it.
+struct Event {
+    double t = 0, error = 0;
+    ClassId id = kNoClass;
+    std::uint8_t index = 0;
+    bool before = false;
+};
+
+class RayContext {
+public:
+    void start(const Program& program, const Ray& ray, EngineCounters& counters);
+
+    const Program& program() const { return *program_; }
+    const Ray& ray() const { return ray_; }
+    const SlabRay& slab() const { return slab_; }
+    const Frame& frame(FrameId id);
+    const FrameRay& frame_ray(FrameId id);
+
+    // Crossings of a class, certain in number and order.
+    void crossings(ClassId id, Crossings& out);
+    // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
+    int compare(const Event& a, const Event& b) {
+        const double d = a.t - b.t, room = a.error + b.error;
+        if (d > room) return 1;
+        if (d < -room) return -1;
+        return compare_closely(a, b);
+    }
+
+    EngineCounters& counters() { return *counters_; }
+
+private:
+    struct Exact {
+        ClassId id;
+        std::vector<exact::RealRoot> roots;
+        Crossings crossings;
+    };
+
+    bool leaves(ClassId id) const;
+    const Exact& exact(ClassId id);
+    int compare_closely(const Event& a, const Event& b);
+    bool fine(const Event& e, double& high, double& low, double& error);
+    int compare_exactly(const Event& a, const Event& b);
+
+    const Program* program_ = nullptr;
+    EngineCounters* counters_ = nullptr;
+    Ray ray_;
+    FrameRay root_;
+    SlabRay slab_;
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> frame_stamps_;
+    std::vector<FrameRay> frame_rays_;
+    std::vector<Frame> moved_;  // frames of motion groups, at the ray's time
+    std::vector<Exact> exact_;
+    std::size_t exact_count_ = 0;
+};
+
+}  // namespace whittle

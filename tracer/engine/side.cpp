@@ -1,0 +1,82 @@
+// side.cpp — orientation predicates of the ray against points and edges.
+#include "tracer/engine/side.h"
+
+#include <cmath>
+
+#include "tracer/engine/nudged.h"
+
+namespace whittle {
+
+namespace {
+
+using exact::Nudged;
+constexpr double u = kUnitRoundoff;
+
+FrameLine<Nudged> nudged_line(RayContext& context, FrameId frame) {
+    ++context.counters().escalated_exact;
+    return line_in_frame<Nudged>(context.frame(frame), exact::nudged_origin(context.ray()), context.ray().direction);
+}
+
+std::size_t next(int axis, int by) { return static_cast<std::size_t>((axis + by) % 3); }
+
+}  // namespace
+
+int side_of_point(RayContext& context, FrameId frame, int axis, Vec2 point) {
+    const FrameRay& r = context.frame_ray(frame);
+    const std::size_t i = next(axis, 1), j = next(axis, 2);
+    const double x = point.x - r.o[i], y = point.y - r.o[j];
+    const double a = r.d[i] * y, b = r.d[j] * x, s = a - b;
+    const double ex = u * std::abs(x) + r.eo[i], ey = u * std::abs(y) + r.eo[j];
+    const double bound = (std::abs(r.d[i]) * ey + r.ed[i] * (std::abs(y) + ey) + std::abs(r.d[j]) * ex + r.ed[j] * (std::abs(x) + ex) +
+                          3 * u * (std::abs(a) + std::abs(b))) * (1 + 16 * u);
+    if (s > bound) return 1;
+    if (s < -bound) return -1;
+    const auto line = nudged_line(context, frame);
+    return (line.d[i] * (line.w * Nudged(point.y) - line.o[j]) - line.d[j] * (line.w * Nudged(point.x) - line.o[i])).sign();
+}
+
+int side_of_edge(RayContext& context, FrameId frame, const Vec3& a, const Vec3& b) {
+    const FrameRay& r = context.frame_ray(frame);
+    double s = 0, bound = 0;
+    std::array<double, 3> p, q, ep, eq;
+    for (std::size_t i = 0; i < 3; ++i) {
+        p[i] = a[static_cast<int>(i)] - r.o[i];
+        q[i] = b[static_cast<int>(i)] - r.o[i];
+        ep[i] = u * std::abs(p[i]) + r.eo[i];
+        eq[i] = u * std::abs(q[i]) + r.eo[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const double x = p[j] * q[k], y = p[k] * q[j], cross = x - y;
+        const double size = std::abs(x) + std::abs(y);
+        const double ecross = std::abs(p[j]) * eq[k] + std::abs(q[k]) * ep[j] + ep[j] * eq[k] + std::abs(p[k]) * eq[j] + std::abs(q[j]) * ep[k] + ep[k] * eq[j] +
+                              3 * u * size;
+        const double term = r.d[i] * cross;
+        s += term;
+        bound += std::abs(r.d[i]) * ecross + r.ed[i] * (size + ecross) + 4 * u * std::abs(term);
+    }
+    bound *= 1 + 32 * u;
+    if (s > bound) return 1;
+    if (s < -bound) return -1;
+    const auto line = nudged_line(context, frame);
+    Nudged sum(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const auto rel = [&](const Vec3& v, std::size_t n) { return line.w * Nudged(v[static_cast<int>(n)]) - line.o[n]; };
+        sum = sum + line.d[i] * (rel(a, j) * rel(b, k) - rel(a, k) * rel(b, j));
+    }
+    return sum.sign();
+}
+
+int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
+    const auto line = nudged_line(context, frame);
+    const std::size_t i = next(axis, 1), j = next(axis, 2);
+    return ((Nudged(b.x) - Nudged(a.x)) * (line.o[j] - line.w * Nudged(a.y)) - (Nudged(b.y) - Nudged(a.y)) * (line.o[i] - line.w * Nudged(a.x))).sign();
+}
+
+int height_against(RayContext& context, FrameId frame, int axis, double y) {
+    const auto line = nudged_line(context, frame);
+    return (line.o[next(axis, 2)] - line.w * Nudged(y)).sign();
+}
+
+}  // namespace whittle

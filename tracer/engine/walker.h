@@ -1,0 +1,80 @@
+// walker.h — the evaluator: walks a ray through the program from event to event. Private to the engine.
+//
+// A cursor is an event, never a number: the place just behind it (or just before). next() leaps to the first place at or behind the cursor where a
+// node has a wanted state. In an OR that wants true any child will do: the nearest of them, found front to back in the hierarchy; in an OR that
+// wants false all must agree: the cursor jumps from exit to exit until no child holds it. AND is the dual. Ties need no rule.
+// all_changes() is the other evaluator, for whole rays: children's changes merged and swept once.
+// Source: Kensler, Ray tracing CSG objects using single hit intersections (2006), without its state table; Roth (1982) for the sweep.
+#pragma once
+
+#include <vector>
+
+#include "tracer/engine/leaf.h"
+
+namespace whittle {
+
+enum class Found { kHere, kLater, kNever };
+
+class Walker {
+public:
+    void start(const Program& program, const Ray& ray, EngineCounters& counters, double far);
+
+    // The first place at or behind the cursor where the root, or a node, is `want`. kLater: it is at `out`.
+    Found next(Ref ref, const Event& cursor, bool want, Event& out);
+    bool state(Ref ref, const Event& cursor) {
+        Event unused;
+        return next(ref, cursor, true, unused) == Found::kHere;
+    }
+
+    // Changes of the node along the ray, as far as they matter for t >= 0; its state before the first.
+    struct Changes {
+        std::uint32_t first = 0, count = 0;
+        bool initial = false;
+    };
+    Changes all_changes(Ref ref);
+    const Event& change(std::uint32_t i) const { return events_[i]; }
+
+    // Leaves that change in the node's stead at the event, with the class that each does it by.
+    struct Cause {
+        std::uint32_t leaf;
+        ClassId id;
+    };
+    void causes(Ref ref, const Event& at, std::vector<Cause>& out);
+    // The least use whose leaf holds the place and is not subtracted; kNoLeafUse if there is none.
+    std::uint32_t containing_use(Ref ref, const Event& cursor);
+    static constexpr std::uint32_t kNoLeafUse = 0xFFFFFFFF;
+
+    RayContext& context() { return context_; }
+
+private:
+    struct Slot {
+        std::uint32_t stamp = 0;
+        Changes changes;
+    };
+
+    Changes leaf_changes(std::uint32_t leaf);
+    Found next_in_leaf(std::uint32_t leaf, const Event& cursor, bool want, Event& out);
+    Found next_of_any(const Group& g, const Event& cursor, bool want, Event& out);
+    Found next_of_all(const Group& g, const Event& cursor, bool want, Event& out);
+    Found pass(const Group& g, Event& cursor, bool want, bool& moved);
+    bool passed(const Event& change, const Event& cursor);
+    template <class Visit>
+    void each_at(const Group& g, const Event& at, Visit visit);
+    template <class Visit>
+    bool each_on_ray(const Group& g, Visit visit);
+    Changes merge(const Group& g, std::size_t first_list);
+
+    RayContext context_;
+    double far_ = 0;
+    std::uint32_t stamp_ = 0;
+    std::vector<Slot> slots_;
+    std::vector<Event> events_;
+    std::vector<Changes> lists_;
+    struct Tagged {
+        Event event;
+        std::uint32_t child;
+    };
+    std::vector<Tagged> sweep_;
+};
+
+}  // namespace whittle
