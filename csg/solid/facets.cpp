@@ -66,7 +66,8 @@ int extrusion_slices(const Contours& profile, double height, double twist_deg, V
     const double turn = turn_deg * kPi / 180, radius = std::sqrt(farthest);
     double length;
     if (uniform && scale_top.x != 1) {
-        const double spiral = spiral_length(radius, radius * (scale_top.x - 1) / turn, turn);
+        const double base = scale_top.x > 1 ? radius / scale_top.x : radius;  // OpenSCAD lets the farthest corner end, not start, at its radius
+        const double spiral = spiral_length(base, base * (scale_top.x - 1) / turn, turn);
         length = std::sqrt(square(spiral) + square(height));
     } else {
         length = turn * std::sqrt(square(radius) + square(height / turn));

@@ -123,6 +123,20 @@ TEST_CASE("revolutions by fragments are closed, whole or part, on the axis or be
     CHECK(std::find(sector.points.begin(), sector.points.end(), Vec3(0, 3, 0)) != sector.points.end());
 }
 
+TEST_CASE("extrusions get as many slices as OpenSCAD gives them") {
+    const Contours profile{{{-1, -1}, {3, -1}, {3, 2}, {-1, 2}}};  // counted in openscad 2021.01's OFF exports
+    CHECK(extrusion_slices(profile, 10, 90, Vec2(1), {}) == 6);
+    CHECK(extrusion_slices(profile, 10, -400, Vec2(1), {}) == 14);
+    CHECK(extrusion_slices(profile, 10, 90, Vec2(2), {}) == 6);
+    CHECK(extrusion_slices(profile, 10, 0, {2, 1}, {}) == 6);
+    CHECK(extrusion_slices(profile, 10, 90, {2, 0.5}, {}) == 6);
+    CHECK(extrusion_slices(profile, 10, 700, Vec2(0.1), {0, 12, 0.5}) == 53);
+    CHECK(extrusion_slices(profile, 10, 100, Vec2(1), {30, 12, 0.5}) == 9);
+    CHECK(extrusion_slices(profile, 10, 0, {2, 1}, {30, 12, 0.5}) == 30);
+    CHECK(extrusion_slices(profile, 10, 0, Vec2(0.5), {30, 12, 0.5}) == 1);
+    CHECK(extrusion_slices(profile, 10, 30, Vec2(0), {}) == 3);
+}
+
 TEST_CASE("curved shapes have no facets") {
     SolidBuilder b;
     Use root;
