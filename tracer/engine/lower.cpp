@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "csg/solid/facets.h"
-#include "tracer/engine/lowering.h"
+#include "tracer/engine/formula_builder.h"
 
 namespace whittle {
 
@@ -20,9 +20,9 @@ Bounds hull(const Bounds& a, const Bounds& b) {
 
 }  // namespace
 
-Result<Formula> lower(const Solid& solid) { return Lowering(solid).run(); }
+Result<Formula> lower(const Solid& solid) { return FormulaBuilder(solid).run(); }
 
-Result<Formula> Lowering::run() {
+Result<Formula> FormulaBuilder::run() {
     const Material none;
     Site site;
     site.material = &none;
@@ -31,19 +31,19 @@ Result<Formula> Lowering::run() {
     return std::move(out_);
 }
 
-FormulaId Lowering::push(FormulaNode node) {
+FormulaId FormulaBuilder::push(FormulaNode node) {
     out_.nodes.push_back(std::move(node));
     return static_cast<FormulaId>(out_.nodes.size() - 1);
 }
 
-FormulaId Lowering::constant(bool value) {
+FormulaId FormulaBuilder::constant(bool value) {
     FormulaNode n;
     n.kind = value ? FormulaKind::kEverything : FormulaKind::kNothing;
     n.outside_value = value;
     return push(std::move(n));
 }
 
-FormulaId Lowering::use(const Use& use, const Site& site) {
+FormulaId FormulaBuilder::use(const Use& use, const Site& site) {
     Site inner = site;
     if (use.motion == 0) {
         inner.chain = site.chain.then(use.placement);
@@ -63,13 +63,13 @@ FormulaId Lowering::use(const Use& use, const Site& site) {
     return node(use.node, inner);
 }
 
-FormulaId Lowering::node(NodeId id, const Site& site) {
+FormulaId FormulaBuilder::node(NodeId id, const Site& site) {
     const Node& n = solid_.node(id);
     if (const auto* c = std::get_if<Combination>(&n)) return combination(*c, site);
     return shape(id, std::get<Shape>(n), site);
 }
 
-FormulaId Lowering::combination(const Combination& c, const Site& site) {
+FormulaId FormulaBuilder::combination(const Combination& c, const Site& site) {
     Site below = site;
     if (c.operands.size() > 1) ++below.depth;
     std::vector<FormulaId> parts;
@@ -84,15 +84,15 @@ FormulaId Lowering::combination(const Combination& c, const Site& site) {
     return c.op == SetOp::kUnion ? any_of(std::move(parts), site) : all_of(std::move(parts), site);
 }
 
-FormulaId Lowering::all_of(std::vector<FormulaId> children, const Site& site) {
+FormulaId FormulaBuilder::all_of(std::vector<FormulaId> children, const Site& site) {
     return join(site.negated ? FormulaKind::kOr : FormulaKind::kAnd, std::move(children));
 }
 
-FormulaId Lowering::any_of(std::vector<FormulaId> children, const Site& site) {
+FormulaId FormulaBuilder::any_of(std::vector<FormulaId> children, const Site& site) {
     return join(site.negated ? FormulaKind::kAnd : FormulaKind::kOr, std::move(children));
 }
 
-FormulaId Lowering::join(FormulaKind kind, std::vector<FormulaId> children) {
+FormulaId FormulaBuilder::join(FormulaKind kind, std::vector<FormulaId> children) {
     const bool is_and = kind == FormulaKind::kAnd;
     FormulaNode n;
     n.kind = kind;
@@ -141,7 +141,7 @@ FormulaId Lowering::join(FormulaKind kind, std::vector<FormulaId> children) {
     return push(std::move(n));
 }
 
-FormulaId Lowering::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site) {
+FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site) {
     FormulaNode n;
     n.kind = FormulaKind::kCell;
     n.negated = site.negated;
@@ -152,7 +152,7 @@ FormulaId Lowering::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& bo
     return push(std::move(n));
 }
 
-FormulaId Lowering::shape(NodeId id, const Shape& shape, Site site) {
+FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
     if (site.use == kNoUse) {
         site.use = static_cast<std::uint32_t>(out_.uses.size());
         out_.uses.push_back({*site.material, site.place, site.negated, site.cut_depth});
@@ -183,7 +183,7 @@ FormulaId Lowering::shape(NodeId id, const Shape& shape, Site site) {
         shape);
 }
 
-FormulaId Lowering::box(Vec3 lo, Vec3 hi, const Site& site) {
+FormulaId FormulaBuilder::box(Vec3 lo, Vec3 hi, const Site& site) {
     Placer p(out_, site.chain, site.motion, {lo, hi}, Absorb::kAny);
     std::vector<HalfSpaceRef> sides;
     for (int i = 0; i < 3; ++i) {
@@ -193,12 +193,12 @@ FormulaId Lowering::box(Vec3 lo, Vec3 hi, const Site& site) {
     return cell(std::move(sides), p.root_box(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Ellipsoid& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Ellipsoid& s, const Site& site) {
     Placer p(out_, site.chain, site.motion, {-s.radii, s.radii}, Absorb::kAny);
     return cell({p.ellipsoid(Vec3(0), s.radii)}, p.root_box(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Frustum& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Frustum& s, const Site& site) {
     const double r = std::max(s.r0, s.r1);
     const Bounds around{Vec3(-r, -r, s.z0), Vec3(r, r, s.z1)};
     const AxisMap& map = site.chain.inner();
@@ -212,7 +212,7 @@ FormulaId Lowering::operator_shape(const shape::Frustum& s, const Site& site) {
     return cell({p.axis_plane(2, s.z0, false), p.axis_plane(2, s.z1, true), side}, p.root_box(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Torus& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Torus& s, const Site& site) {
     const double r = s.major + s.minor;
     Placer p(out_, site.chain, site.motion, {Vec3(-r, -r, -s.minor), Vec3(r, r, s.minor)}, Absorb::kUniformScale);
     const FormulaId sheet = cell({p.torus(Vec3(0), s.major, s.minor)}, p.root_box(), site);
@@ -220,18 +220,18 @@ FormulaId Lowering::operator_shape(const shape::Torus& s, const Site& site) {
     return any_of({sheet, cell({p.torus_core(Vec3(0), s.major, s.minor)}, p.root_box(), site)}, site);
 }
 
-FormulaId Lowering::operator_shape(const shape::HalfSpace& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::HalfSpace& s, const Site& site) {
     const bool axis = (s.n.x != 0) + (s.n.y != 0) + (s.n.z != 0) == 1;
     Placer p(out_, site.chain, site.motion, everywhere(), axis ? Absorb::kAny : Absorb::kRigid);
     return cell({p.plane(s.n, s.d)}, everywhere(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Quadric& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Quadric& s, const Site& site) {
     Placer p(out_, site.chain, site.motion, everywhere(), Absorb::kNothing);
     return cell({p.quadric(s.c)}, everywhere(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Capsule& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Capsule& s, const Site& site) {
     const Bounds around{glm::min(s.p, s.q) - s.r, glm::max(s.p, s.q) + s.r};
     Placer p(out_, site.chain, site.motion, around, Absorb::kUniformScale);
     std::vector<FormulaId> parts{cell({p.ball(s.p, s.r)}, p.root_box(), site)};
@@ -249,7 +249,7 @@ FormulaId Lowering::operator_shape(const shape::Capsule& s, const Site& site) {
     return any_of(std::move(parts), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::RoundBox& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::RoundBox& s, const Site& site) {
     if (s.r == 0) return box(s.lo, s.hi, site);
     Placer p(out_, site.chain, site.motion, {s.lo, s.hi}, Absorb::kUniformScale);
     const Vec3 a = s.lo + s.r, b = s.hi - s.r;
@@ -276,7 +276,7 @@ FormulaId Lowering::operator_shape(const shape::RoundBox& s, const Site& site) {
     return any_of(std::move(parts), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Extrusion& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Extrusion& s, const Site& site) {
     const Bounds& flat = solid_.bounds(s.profile);
     const Bounds around{Vec3(flat.lo.x, flat.lo.y, s.z0), Vec3(flat.hi.x, flat.hi.y, s.z1)};
     Placer p(out_, site.chain, site.motion, around, Absorb::kAny);
@@ -284,19 +284,19 @@ FormulaId Lowering::operator_shape(const shape::Extrusion& s, const Site& site) 
     return all_of({ends, node(s.profile, site)}, site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Disc& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Disc& s, const Site& site) {
     const AxisMap& map = site.chain.inner();
     Placer p(out_, site.chain, site.motion, everywhere(), map.is_uniform() ? Absorb::kAny : Absorb::kNothing);
     return cell({p.cylinder(2, Vec3(0), s.r)}, everywhere(), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Rectangle& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Rectangle& s, const Site& site) {
     return box(Vec3(s.lo, -HUGE_VAL), Vec3(s.hi, HUGE_VAL), site);
 }
 
-FormulaId Lowering::operator_shape(const shape::Polygon& s, const Site& site) { return prism(*s.contours, site); }
+FormulaId FormulaBuilder::operator_shape(const shape::Polygon& s, const Site& site) { return prism(*s.contours, site); }
 
-FormulaId Lowering::prism(const std::vector<std::vector<Vec2>>& contours, const Site& site) {
+FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, const Site& site) {
     Bounds around = everywhere();
     around.lo = Vec3(HUGE_VAL), around.hi = Vec3(-HUGE_VAL);
     for (const auto& contour : contours)
@@ -325,7 +325,7 @@ FormulaId Lowering::prism(const std::vector<std::vector<Vec2>>& contours, const 
     return push(std::move(n));
 }
 
-FormulaId Lowering::faceted(NodeId id, const Site& site) {
+FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
     auto& list = triangles_[id];
     if (!list) {
         const Result<FacetList> facets = facets_of(solid_, id);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "csg/base/degrees.h"
-#include "tracer/engine/lowering.h"
+#include "tracer/engine/formula_builder.h"
 
 namespace whittle {
 
@@ -68,7 +68,7 @@ std::vector<double> cuts_of(const std::vector<Edge>& edges) {
 
 }  // namespace
 
-bool Lowering::revolvable(NodeId id, const Chain& plane) const {
+bool FormulaBuilder::revolvable(NodeId id, const Chain& plane) const {
     const Node& n = solid_.node(id);
     if (const auto* c = std::get_if<Combination>(&n))
         return std::all_of(c->operands.begin(), c->operands.end(), [&](const Use& u) { return revolvable(u.node, plane.then(u.placement)); });
@@ -77,7 +77,7 @@ bool Lowering::revolvable(NodeId id, const Chain& plane) const {
     return true;
 }
 
-FormulaId Lowering::operator_shape(const shape::Revolution& s, const Site& site) {
+FormulaId FormulaBuilder::operator_shape(const shape::Revolution& s, const Site& site) {
     const FormulaId whole = revolved(s.profile, Chain(), site);
     if (s.angle_deg >= 360) return whole;
     const Bounds& flat_box = solid_.bounds(s.profile);
@@ -85,7 +85,7 @@ FormulaId Lowering::operator_shape(const shape::Revolution& s, const Site& site)
     return all_of({whole, wedge(s.start_deg, s.angle_deg, {Vec3(-r, -r, flat_box.lo.y), Vec3(r, r, flat_box.hi.y)}, site)}, site);
 }
 
-FormulaId Lowering::wedge(double start_deg, double angle_deg, const Bounds& box, const Site& site) {
+FormulaId FormulaBuilder::wedge(double start_deg, double angle_deg, const Bounds& box, const Site& site) {
     const auto side = [&](double at_deg, double sign) {
         const Vec3 n{sign * sind(at_deg), -sign * cosd(at_deg), 0};
         const bool axis = n.x == 0 || n.y == 0;
@@ -97,7 +97,7 @@ FormulaId Lowering::wedge(double start_deg, double angle_deg, const Bounds& box,
     return angle_deg < 180 ? all_of({from, to}, site) : any_of({from, to}, site);
 }
 
-FormulaId Lowering::revolved(NodeId id, const Chain& plane, const Site& site) {
+FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& site) {
     const Node& n = solid_.node(id);
     if (const auto* c = std::get_if<Combination>(&n)) {
         std::vector<FormulaId> parts;
@@ -126,7 +126,7 @@ FormulaId Lowering::revolved(NodeId id, const Chain& plane, const Site& site) {
     return revolved_polygon(std::move(contours), site);
 }
 
-FormulaId Lowering::revolved_disc(double x, double z, double r, const Site& site) {
+FormulaId FormulaBuilder::revolved_disc(double x, double z, double r, const Site& site) {
     const double reach = std::abs(x) + r;
     Placer p(out_, site.chain, site.motion, {Vec3(-reach, -reach, z - r), Vec3(reach, reach, z + r)}, Absorb::kUniformScale);
     const Vec3 centre{0, 0, z};
@@ -142,7 +142,7 @@ FormulaId Lowering::revolved_disc(double x, double z, double r, const Site& site
     return cell({p.torus_core(centre, ring, r), {sheet.support, !sheet.inverted}}, p.root_box(), site);
 }
 
-FormulaId Lowering::revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site) {
+FormulaId FormulaBuilder::revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site) {
     bool left = true;
     for (const auto& c : contours)
         for (const Vec2& v : c) left = left && v.x <= 0;
@@ -168,7 +168,7 @@ FormulaId Lowering::revolved_polygon(std::vector<std::vector<Vec2>> contours, co
     return any_of(std::move(rings), site);
 }
 
-FormulaId Lowering::ring(double z0, double z1, Vec2 inner0, Vec2 inner1, Vec2 outer0, Vec2 outer1, bool has_inner, const Site& site) {
+FormulaId FormulaBuilder::ring(double z0, double z1, Vec2 inner0, Vec2 inner1, Vec2 outer0, Vec2 outer1, bool has_inner, const Site& site) {
     const double r = std::max(outer0.x, outer1.x);
     Placer p(out_, site.chain, site.motion, {Vec3(-r, -r, z0), Vec3(r, r, z1)}, Absorb::kUniformScale);
     const auto side = [&](Vec2 a, Vec2 b) { return a.x == b.x ? p.cylinder(2, Vec3(0), a.x) : p.cone(2, Vec3(0), a.y, b.y, a.x, b.x); };

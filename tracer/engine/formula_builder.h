@@ -1,4 +1,4 @@
-// lowering.h — the walk from solid to formula; private to lower*.cpp.
+// formula_builder.h — the walk from solid to formula; private to lower*.cpp.
 #pragma once
 
 #include <map>
@@ -23,9 +23,9 @@ struct Site {
 
 inline constexpr std::uint32_t kNoUse = 0xFFFFFFFF;
 
-class Lowering {
+class FormulaBuilder {
 public:
-    explicit Lowering(const Solid& solid) : solid_(solid) {}
+    explicit FormulaBuilder(const Solid& solid) : solid_(solid) {}
     Result<Formula> run();
 
 private:
