@@ -5,6 +5,7 @@
 // Source: CGAL 5.5 manual, Polygon Mesh Processing (corefinement) and 3D Boolean Operations on Nef Polyhedra.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -18,6 +19,18 @@
 #include <string>
 
 #include "modeler/mesh/cgal/cgal_module.h"
+
+namespace CGAL::Box_intersection_d {
+
+// Corefinement breaks ties between boxes by their addresses, so the order in which it finds intersections, and with it the triangles it makes, would
+// depend on the heap. Numbers in order of construction give every thread the same order.
+template <>
+class Box_with_info_d<double, 3, SM_Halfedge_index, ID_FROM_BOX_ADDRESS> : public Box_with_info_d<double, 3, SM_Halfedge_index, ID_EXPLICIT> {
+public:
+    using Box_with_info_d<double, 3, SM_Halfedge_index, ID_EXPLICIT>::Box_with_info_d;
+};
+
+}  // namespace CGAL::Box_intersection_d
 
 namespace whittle {
 namespace {
@@ -373,8 +386,9 @@ Result<ExactRef> CgalBooleans::combine(SetOp op, std::span<const PlacedExact> a,
         ++watch.booleans;
         if (watch.control && watch.control->cancelled()) throw Interrupted{};
         if (all_surfaces(a) && all_surfaces(b)) {
-            Surface left = gathered(a), right = gathered(b);
-            if (corefined(op, left, right, watch)) {
+            std::array<Surface, 2> operands{gathered(a), gathered(b)};  // an array: corefinement orders meshes by address
+            Surface& left = operands[0];
+            if (corefined(op, left, operands[1], watch)) {
                 const auto start = std::chrono::steady_clock::now();
                 if (watch.decimate) watch.decimated += Decimator(left).run();
                 watch.seconds_decimate += seconds_since(start);
