@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "csg/eval/canonicaliser.h"
+#include "csg/eval/large_stack.h"
 #include "csg/solid/placement.h"
 
 namespace whittle {
@@ -262,7 +263,13 @@ void Canonicaliser::note_facets() {
 }
 
 Canonical canonicalise(const Scene& scene, const CanonicaliseOptions& options, Outside* outside, Diagnostics& diagnostics) {
-    return Canonicaliser(scene, options, outside, diagnostics).run();
+    Canonical result;
+    const bool done = run_on_large_stack([&] { result = Canonicaliser(scene, options, outside, diagnostics).run(); });
+    if (done) return result;
+    diagnostics.add(Severity::kError, {}, "Not enough memory for the stack that making the solid needs");
+    result.solid = SolidBuilder().finish({});
+    result.something_left_out = true;
+    return result;
 }
 
 }  // namespace whittle

@@ -109,6 +109,16 @@ Use Canonicaliser::right_of_axis(const SceneNode& node, Use flat, bool& mirrored
     return flat;
 }
 
+// The largest radius of a profile. Only OpenSCAD's rule for $fa and $fs needs more than an upper bound.
+double Canonicaliser::radius_of(const SceneNode& node, const Use& flat) {
+    const double bound = builder_.bounds(flat).hi.x;
+    if (node.facets.fn > 0 || options_.curves != Curves::kFaceted) return bound;
+    double radius = 0;
+    for (const auto& contour : contours_of(builder_.so_far(), node_of(flat), bound * kProfileTolerance))
+        for (const Vec2& p : contour) radius = std::max(radius, p.x);
+    return radius;
+}
+
 Made Canonicaliser::revolved(SceneNodeId id, const scene::RotateExtrude& what) {
     const SceneNode& node = scene_.nodes[id];
     Use flat = profile(id);
@@ -117,9 +127,8 @@ Made Canonicaliser::revolved(SceneNodeId id, const scene::RotateExtrude& what) {
     bool mirrored = false;
     flat = right_of_axis(node, flat, mirrored);
     if (flat.node == kEmptyNode) return {};
-    const double radius = builder_.bounds(flat).hi.x;
     const bool full = turn == 360;
-    const int around = facets_of_circle(node, radius);
+    const int around = facets_of_circle(node, radius_of(node, flat));
     shape::Revolution r{};
     r.angle_deg = std::fabs(turn);
     r.fragments = around == 0 ? 0 : full ? around : std::max(1, static_cast<int>(around * std::fabs(turn) / 360));

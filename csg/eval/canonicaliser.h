@@ -69,6 +69,7 @@ private:
     Use profile(SceneNodeId id);
     int slices_of(const SceneNode& node, const scene::LinearExtrude& what, const shape::Extrusion& extrusion);
     Use right_of_axis(const SceneNode& node, Use profile, bool& mirrored);
+    double radius_of(const SceneNode& node, const Use& profile);
     NodeId node_of(const Use& use);
 
     // 0 where the true curve is meant, else the number of facets of a circle of radius r.

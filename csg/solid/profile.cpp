@@ -32,7 +32,7 @@ class Clipping {
 public:
     Clipping(const Solid& solid, NodeId root, double tolerance) : solid_(solid), tolerance_(tolerance) {
         const double size = size_of(root, {});
-        scale_ = std::ldexp(1.0, kGridBits - (size > 0 ? std::ilogb(size) : 0));
+        scale_ = std::isfinite(size) ? std::ldexp(1.0, kGridBits - (size > 0 ? std::ilogb(size) : 0)) : 0;
     }
 
     Paths of_node(NodeId node, const Placement& placement) {
@@ -47,6 +47,8 @@ public:
         for (std::size_t i = 1; i < parts.size(); ++i) result = clipped(ClipperLib::ctIntersection, result, parts[i]);
         return result;
     }
+
+    bool is_finite() const { return std::isfinite(scale_) && scale_ > 0; }
 
     // Corners that were given keep their bits.
     Contours contours(const Paths& paths) const {
@@ -129,6 +131,7 @@ private:
 
 Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
     Clipping clipping(solid, node, tolerance);
+    if (!clipping.is_finite()) return {};
     return clipping.contours(clipping.of_node(node, {}));
 }
 

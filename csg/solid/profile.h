@@ -12,7 +12,8 @@ namespace whittle {
 // Chord error of profiles as a share of their size where no one asks for another.
 inline constexpr double kProfileTolerance = 0x1p-14;
 
-// The regularised 2D set of the node. Requires: is_2d(node), tolerance > 0.
+// The regularised 2D set of the node. Nothing where its coordinates overflow.
+// Requires: is_2d(node), tolerance > 0.
 Contours contours_of(const Solid& solid, NodeId node, double tolerance);
 
 }  // namespace whittle

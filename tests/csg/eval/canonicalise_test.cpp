@@ -297,3 +297,12 @@ TEST_CASE("a thousand equal cubes are one shape and a thousand uses") {
     CHECK(c.solid.node_count() == 3);
     CHECK(root_as<Combination>(c).operands.size() == 1000);
 }
+
+TEST_CASE("a scene a hundred thousand levels deep becomes a solid") {
+    Author a;
+    SceneNodeId inner = a.add(kCube);
+    const Placement turned{{0.8, -0.6, 0, 0, 0.6, 0.8, 0, 0, 0, 0, 1, 0}};
+    for (int i = 0; i < 100000; ++i) inner = a.add(scene::Difference{}, {a.add(scene::Transform{turned}, {inner}), a.add(scene::Sphere{1})});
+    const Canonical c = a.canonical({inner});
+    CHECK(c.solid.node_count() > 100000);
+}
