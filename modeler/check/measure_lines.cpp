@@ -91,11 +91,9 @@ int lines_log2(const MeasureJob& job, EngineCounters& counters) {
 // Half width of the interval of the mean of values(randomisation).
 template <class Values>
 double half_width(const Values& values) {
-    double mean = 0, squares = 0;
-    for (std::size_t r = 0; r < kRandomisations; ++r) mean += values(r);
-    mean /= kRandomisations;
-    for (std::size_t r = 0; r < kRandomisations; ++r) squares += (values(r) - mean) * (values(r) - mean);
-    return kStudent99 * std::sqrt(squares / (kRandomisations - 1) / kRandomisations);
+    std::array<double, kRandomisations> list{};
+    for (std::size_t r = 0; r < kRandomisations; ++r) list[r] = values(r);
+    return mean_of(list).error;
 }
 
 // Centroid and inertia are no sums: their intervals are those of the sums they are locally linear in (the delta method).
@@ -124,6 +122,14 @@ void set_errors(Measurement& m, const std::array<ChordSums, kRandomisations>& pa
 }
 
 }  // namespace
+
+Measured mean_of(const std::array<double, kRandomisations>& values) {
+    double mean = 0, squares = 0;
+    for (const double v : values) mean += v;
+    mean /= kRandomisations;
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    return {mean, kStudent99 * std::sqrt(squares / (kRandomisations - 1) / kRandomisations), ErrorKind::kConfidence99};
+}
 
 Result<Measurement> measure_by_lines(const MeasureJob& job) {
     Measurement m;

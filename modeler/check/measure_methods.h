@@ -37,6 +37,9 @@ Result<Measurement> measure_by_lines(const MeasureJob& job);
 // lo and hi: the farthest points that lines along the axes find, refined locally; the error reaches to the outward box.
 void measure_bounds(const MeasureJob& job, Measurement& measurement);
 
+// Mean of independent unbiased values, with its 99 % interval.
+Measured mean_of(const std::array<double, kRandomisations>& values);
+
 // Fills volume, area, centroid and inertia from integrals about `origin`. Errors are left alone.
 void set_values(Measurement& measurement, const ChordSums& sums, Vec3 origin);
 

@@ -1,0 +1,286 @@
+// leaf_distance.cpp — gathers the leaves in the root frame, finds those near a point by a grid of boxes, and asks each in its own frame.
+#include "modeler/check/leaf_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "modeler/check/nearest_point.h"
+
+namespace whittle {
+
+namespace {
+
+// A placement keeps shapes when its columns are orthogonal and of one length up to this share: rounding of a chain of rotations.
+constexpr double kSimilar = 0x1p-40;
+// Below this share of a leaf's size a value is compared as it is: its slope cannot be told from rounding.
+constexpr double kSlopeNoise = 0x1p-32;
+
+Vec3 column(const Placement& a, int k) { return {a.linear(0, k), a.linear(1, k), a.linear(2, k)}; }
+
+// The common stretch of all directions; 0 where there is none.
+double similarity_scale(const Placement& a) {
+    const Vec3 x = column(a, 0), y = column(a, 1), z = column(a, 2);
+    const double s2 = glm::dot(x, x);
+    const double worst = std::max({std::fabs(glm::dot(y, y) - s2), std::fabs(glm::dot(z, z) - s2), std::fabs(glm::dot(x, y)), std::fabs(glm::dot(y, z)),
+                                   std::fabs(glm::dot(z, x))});
+    return worst <= kSimilar * s2 ? std::sqrt(s2) : 0;
+}
+
+Placement inverse_of(const Placement& a) {
+    const Vec3 x = column(a, 0), y = column(a, 1), z = column(a, 2), o(a.offset(0), a.offset(1), a.offset(2));
+    const double det = determinant(a);
+    const std::array<Vec3, 3> rows{glm::cross(y, z) / det, glm::cross(z, x) / det, glm::cross(x, y) / det};
+    Placement r;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) r.m[4 * i + static_cast<std::size_t>(j)] = rows[i][j];
+        r.m[4 * i + 3] = -glm::dot(rows[i], o);
+    }
+    return r;
+}
+
+bool is_plain(const shape::Extrusion& e) { return e.twist_deg == 0 && e.scale_top == Vec2(1); }
+
+bool is_inside_2d(const Shape& profile, Vec2 p) {
+    if (const auto* disc = std::get_if<shape::Disc>(&profile)) return glm::length(p) < disc->r;
+    if (const auto* r = std::get_if<shape::Rectangle>(&profile)) return p.x > r->lo.x && p.x < r->hi.x && p.y > r->lo.y && p.y < r->hi.y;
+    bool inside = false;
+    if (const auto* polygon = std::get_if<shape::Polygon>(&profile))
+        for (const std::vector<Vec2>& c : *polygon->contours)
+            for (std::size_t i = 0; i < c.size(); ++i) {
+                const Vec2 u = c[i], v = c[(i + 1) % c.size()];
+                if ((u.y > p.y) != (v.y > p.y) && p.x < u.x + (p.y - u.y) / (v.y - u.y) * (v.x - u.x)) inside = !inside;
+            }
+    return inside;
+}
+
+Vec2 in_profile(const PlacedLeaf& leaf, Vec2 p) {
+    const Vec3 q = apply_to_point(leaf.profile_inverse, Vec3(p, 0));
+    return {q.x, q.y};
+}
+
+LeafDistance extrusion_distance(const PlacedLeaf& leaf, const shape::Extrusion& e, Vec3 q) {
+    const double z = std::clamp(q.z, e.z0, e.z1);
+    const double share = (z - e.z0) / (e.z1 - e.z0);
+    const Vec2 s = Vec2(1) + share * (e.scale_top - Vec2(1));
+    const double angle = e.twist_deg * share * M_PI / 180;  // undoes a clockwise twist
+    const Vec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y, std::sin(angle) * q.x + std::cos(angle) * q.y);
+    const Vec2 p = in_profile(leaf, {s.x > 0 ? turned.x / s.x : 0, s.y > 0 ? turned.y / s.y : 0});
+    LeafDistance wall = boundary_distance_2d(leaf.profile, p);
+    if (!is_plain(e) && (e.twist_deg != 0 || e.scale_top.x != e.scale_top.y)) wall = {std::min(wall.curved, wall.flat), kInfiniteDistance};
+    const double above = q.z - z;
+    LeafDistance d{std::hypot(wall.curved, above), std::hypot(wall.flat, above)};
+    if (is_inside_2d(leaf.profile, p)) d.flat = std::min({d.flat, std::fabs(q.z - e.z0), std::fabs(q.z - e.z1)});
+    return d;
+}
+
+// Distance to the cut face at `angle_deg`: the rectangle around the profile in that half plane.
+double cut_face_distance(const Bounds& profile, double angle_deg, Vec3 q) {
+    const double a = angle_deg * M_PI / 180;
+    const double along = q.x * std::cos(a) + q.y * std::sin(a), off = q.y * std::cos(a) - q.x * std::sin(a);
+    const double r = std::max(std::fabs(profile.lo.x), std::fabs(profile.hi.x));
+    const double da = along - std::clamp(along, 0.0, r), dz = q.z - std::clamp(q.z, profile.lo.y, profile.hi.y);
+    return std::hypot(std::hypot(da, dz), off);
+}
+
+LeafDistance revolution_distance(const PlacedLeaf& leaf, const shape::Revolution& s, Vec3 q) {
+    double theta = std::atan2(q.y, q.x) * 180 / M_PI - s.start_deg;
+    theta -= 360 * std::floor(theta / 360);
+    double rho = std::hypot(q.x, q.y);
+    if (s.fragments > 0) {  // in a sector the profile stands on the chord
+        const double step = s.angle_deg / s.fragments, middle = (std::floor(theta / step) + 0.5) * step;
+        rho *= std::cos((theta - middle) * M_PI / 180) / std::cos(step / 2 * M_PI / 180);
+    }
+    LeafDistance d;
+    if (s.angle_deg >= 360 || theta <= s.angle_deg) {
+        const LeafDistance right = boundary_distance_2d(leaf.profile, in_profile(leaf, {rho, q.z}));
+        const LeafDistance left = boundary_distance_2d(leaf.profile, in_profile(leaf, {-rho, q.z}));
+        d = {std::min(right.curved, left.curved), std::min(right.flat, left.flat)};
+        if (s.fragments == 0) d = {std::min(d.curved, d.flat), kInfiniteDistance};
+    }
+    if (s.angle_deg < 360)
+        d.flat = std::min({d.flat, cut_face_distance(leaf.profile_bounds, s.start_deg, q), cut_face_distance(leaf.profile_bounds, s.start_deg + s.angle_deg, q)});
+    return d;
+}
+
+LeafDistance distance_in_frame(const PlacedLeaf& leaf, Vec3 p) {
+    const Vec3 q = apply_to_point(leaf.inverse, p);
+    if (const auto* e = std::get_if<shape::Extrusion>(&leaf.shape)) return extrusion_distance(leaf, *e, q);
+    if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape)) return revolution_distance(leaf, *r, q);
+    return boundary_distance(leaf.shape, q);
+}
+
+// value / slope, by central differences that stay on one side of the surface.
+double first_order(const PlacedLeaf& leaf, Vec3 p, double value, double LeafDistance::*part, double size, double stretch) {
+    if (!(value < kInfiniteDistance)) return kInfiniteDistance;
+    if (value * stretch <= kSlopeNoise * size) return value * stretch;
+    const double h = value * stretch / 8;
+    Vec3 slope(0);
+    for (int i = 0; i < 3; ++i) {
+        Vec3 step(0);
+        step[i] = h / stretch > 0 ? h : size;
+        slope[i] = (distance_in_frame(leaf, p + step).*part - distance_in_frame(leaf, p - step).*part) / (2 * step[i]);
+    }
+    const double length = glm::length(slope);
+    return length > 0 && std::isfinite(length) ? std::min(value / length, value * stretch) : value * stretch;
+}
+
+Use use_of(NodeId node) {
+    Use use;
+    use.node = node;
+    return use;
+}
+
+class Gatherer {
+public:
+    Gatherer(const Solid& solid, std::vector<PlacedLeaf>& leaves) : solid_(solid), leaves_(leaves) {}
+
+    // False at a shape whose surface is not known here.
+    bool walk(const Use& use, const Placement& outer, SourcePlace place) {
+        Placement placement = outer * use.placement;
+        if (use.motion != 0) placement = outer * solid_.motion(use.motion).start * use.placement;
+        const SourcePlace own = solid_.label(use.label).place;
+        if (own.line != 0) place = own;
+        return std::visit([&](const auto& node) { return visit(node, use.node, placement, place); }, solid_.node(use.node));
+    }
+
+private:
+    bool visit(const Combination& combination, NodeId, const Placement& placement, SourcePlace place) {
+        return std::all_of(combination.operands.begin(), combination.operands.end(), [&](const Use& use) { return walk(use, placement, place); });
+    }
+    bool visit(const Shape& shape, NodeId id, const Placement& placement, SourcePlace place) {
+        PlacedLeaf leaf;
+        leaf.shape = shape;
+        leaf.place = place;
+        leaf.bounds = placed_bounds(solid_.bounds(id), placement);
+        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) {
+            if (e->twist_deg != 0 && e->slices > 0) return false;
+            return walk_profile(use_of(e->profile), Placement{}, placement, leaf, is_plain(*e));
+        }
+        if (const auto* r = std::get_if<shape::Revolution>(&shape)) {
+            leaf.profile_bounds = solid_.bounds(r->profile);
+            faceted_ = r->fragments > 0;
+            return walk_profile(use_of(r->profile), Placement{}, placement, leaf, false);
+        }
+        add(std::move(leaf), placement);
+        return true;
+    }
+
+    // One leaf for each shape of the profile; `fold`: its placement may move the whole solid instead.
+    bool walk_profile(const Use& use, const Placement& inner, const Placement& outer, const PlacedLeaf& like, bool fold) {
+        const Placement placement = inner * use.placement;
+        const Node& node = solid_.node(use.node);
+        if (const auto* combination = std::get_if<Combination>(&node))
+            return std::all_of(combination->operands.begin(), combination->operands.end(),
+                               [&](const Use& operand) { return walk_profile(operand, placement, outer, like, fold); });
+        PlacedLeaf leaf = like;
+        leaf.profile = std::get<Shape>(node);
+        if (!fold) leaf.profile_inverse = inverse_of(placement);
+        leaf.exact = fold || (std::holds_alternative<shape::Revolution>(leaf.shape) && !faceted_ && std::fabs(similarity_scale(placement) - 1) <= kSimilar);
+        add(std::move(leaf), fold ? outer * placement : outer);
+        return true;
+    }
+
+    void add(PlacedLeaf leaf, const Placement& placement) {
+        if (determinant(placement) == 0) return;  // flattened: no solid
+        leaf.placement = placement;
+        leaf.inverse = inverse_of(placement);
+        leaf.scale = leaf.exact ? similarity_scale(placement) : 0;
+        leaves_.push_back(std::move(leaf));
+    }
+
+    const Solid& solid_;
+    std::vector<PlacedLeaf>& leaves_;
+    bool faceted_ = false;  // the revolution being walked
+};
+
+double distance_to_bounds(const Bounds& b, Vec3 p) { return glm::length(glm::max(glm::max(b.lo - p, p - b.hi), Vec3(0))); }
+
+bool is_curved(const PlacedLeaf& leaf) {
+    const auto round_2d = [](const Shape& s) { return std::holds_alternative<shape::Disc>(s); };
+    if (const auto* e = std::get_if<shape::Extrusion>(&leaf.shape)) return round_2d(leaf.profile) || e->twist_deg != 0 || e->scale_top.x != e->scale_top.y;
+    if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape)) return r->fragments == 0 || round_2d(leaf.profile);
+    return !(std::holds_alternative<shape::Box>(leaf.shape) || std::holds_alternative<shape::HalfSpace>(leaf.shape) ||
+             std::holds_alternative<shape::Polyhedron>(leaf.shape) || std::holds_alternative<shape::FacetedBall>(leaf.shape) ||
+             std::holds_alternative<shape::FacetedFrustum>(leaf.shape));
+}
+
+}  // namespace
+
+LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p) {
+    const LeafDistance d = distance_in_frame(leaf, p);
+    if (leaf.scale > 0) return {d.curved * leaf.scale, d.flat * leaf.scale};
+    const double stretch = std::max({glm::length(column(leaf.placement, 0)), glm::length(column(leaf.placement, 1)), glm::length(column(leaf.placement, 2))}) *
+                           std::sqrt(3.0);
+    const Vec3 size = leaf.bounds.hi - leaf.bounds.lo;
+    const double extent = std::isfinite(glm::length(size)) ? glm::length(size) : 1 + glm::length(p);
+    return {first_order(leaf, p, d.curved, &LeafDistance::curved, extent, stretch), first_order(leaf, p, d.flat, &LeafDistance::flat, extent, stretch)};
+}
+
+// Cells of the box of all bounded leaves, each with the leaves whose boxes meet it.
+struct LeafDistances::Grid {
+    Bounds box;
+    int n = 1;
+    std::vector<std::vector<std::uint32_t>> cells;
+
+    std::array<int, 3> cell_of(Vec3 p) const {
+        std::array<int, 3> c{};
+        for (int i = 0; i < 3; ++i) {
+            const double size = box.hi[i] - box.lo[i];
+            const double at = size > 0 ? (p[i] - box.lo[i]) / size * n : 0;
+            c[static_cast<std::size_t>(i)] = static_cast<int>(std::clamp(std::floor(at), 0.0, n - 1.0));
+        }
+        return c;
+    }
+    template <class Visit>
+    void over(Vec3 lo, Vec3 hi, const Visit& visit) const {
+        const std::array<int, 3> a = cell_of(lo), b = cell_of(hi);
+        for (int z = a[2]; z <= b[2]; ++z)
+            for (int y = a[1]; y <= b[1]; ++y)
+                for (int x = a[0]; x <= b[0]; ++x) visit(static_cast<std::size_t>((z * n + y) * n + x));
+    }
+};
+
+LeafDistances::LeafDistances() = default;
+LeafDistances::LeafDistances(LeafDistances&&) noexcept = default;
+LeafDistances& LeafDistances::operator=(LeafDistances&&) noexcept = default;
+LeafDistances::~LeafDistances() = default;
+
+Result<LeafDistances> LeafDistances::of(const Solid& solid) {
+    LeafDistances r;
+    if (!Gatherer(solid, r.leaves_).walk(solid.root(), Placement{}, {}))
+        return fail(Fault::kScene, "check does not know the surface of an extrusion that is twisted in slices");
+    r.any_curved_ = std::any_of(r.leaves_.begin(), r.leaves_.end(), is_curved);
+    r.grid_ = std::make_unique<Grid>();
+    Grid& grid = *r.grid_;
+    grid.box = solid.root_bounds();
+    grid.n = std::clamp(static_cast<int>(std::cbrt(2.0 * static_cast<double>(r.leaves_.size()))), 1, 32);
+    grid.cells.resize(static_cast<std::size_t>(grid.n * grid.n * grid.n));
+    for (std::size_t i = 0; i < r.leaves_.size(); ++i)
+        grid.over(r.leaves_[i].bounds.lo, r.leaves_[i].bounds.hi, [&](std::size_t cell) { grid.cells[cell].push_back(static_cast<std::uint32_t>(i)); });
+    return r;
+}
+
+LeafDistances::Nearest LeafDistances::nearest(Vec3 p, double curved_bound, double flat_bound, double reach) const {
+    Nearest best;
+    const double far = reach * std::max(curved_bound, flat_bound);
+    const auto offer = [&](const PlacedLeaf& leaf) {
+        const LeafDistance d = leaf_distance(leaf, p);
+        const auto take = [&](double distance, double bound) {
+            if (!(distance < bound * best.ratio)) return;
+            best = {distance / bound, distance, bound, leaf.place};
+        };
+        if (d.curved < kInfiniteDistance) take(d.curved, curved_bound);
+        if (d.flat < kInfiniteDistance) take(d.flat, flat_bound);
+    };
+    grid_->over(p - far, p + far, [&](std::size_t cell) {
+        for (const std::uint32_t i : grid_->cells[cell])
+            if (distance_to_bounds(leaves_[i].bounds, p) <= far) offer(leaves_[i]);
+    });
+    if (best.distance < kInfiniteDistance) return best;
+    for (const PlacedLeaf& leaf : leaves_)
+        if (distance_to_bounds(leaf.bounds, p) < best.distance) offer(leaf);
+    return best;
+}
+
+}  // namespace whittle

@@ -1,0 +1,72 @@
+// leaf_distance.h — how far a point is from the boundary of the nearest leaf of a solid, curved and flat parts apart.
+//
+// A tessellation may differ from its solid near curved faces, by its tolerance; near flat faces by rounding only. So both distances are asked for.
+// Distances are exact for leaves under rigid motions and uniform scale; elsewhere (sheared or stretched placements, tapered or twisted extrusions,
+// quadrics) they are of first order: value over gradient, exact in the limit near the surface, which is where they are compared with a tolerance.
+// Shares no code with tracer/engine or modeler/mesh: it stands between the two.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "csg/base/result.h"
+#include "csg/solid/solid.h"
+
+namespace whittle {
+
+inline constexpr double kInfiniteDistance = std::numeric_limits<double>::infinity();
+
+struct LeafDistance {
+    double curved = kInfiniteDistance;
+    double flat = kInfiniteDistance;
+};
+
+// A leaf in the root frame. Extrusions and revolutions are one leaf for each shape of their profile.
+struct PlacedLeaf {
+    Shape shape;
+    Placement placement, inverse;
+    bool exact = true;  // false: the distance in the leaf's own frame is of first order
+    double scale = 0;   // of lengths, where that is exact and the placement keeps shapes; else 0
+    Bounds bounds;     // in the root frame
+    SourcePlace place;
+    // Shape of the profile, where `shape` is an Extrusion or a Revolution that cannot be told in simpler shapes.
+    Shape profile = shape::Disc{0};
+    Placement profile_inverse;
+    Bounds profile_bounds;  // of the whole profile, in the profile's frame: where the cut faces of a revolution lie
+};
+
+class LeafDistances {
+public:
+    // Fails with kScene for shapes whose surface is not known here (a twisted extrusion in slices).
+    static Result<LeafDistances> of(const Solid& solid);
+    LeafDistances(LeafDistances&&) noexcept;
+    LeafDistances& operator=(LeafDistances&&) noexcept;
+    ~LeafDistances();
+
+    struct Nearest {
+        double ratio = std::numeric_limits<double>::infinity();  // min(curved / curved_bound, flat / flat_bound)
+        double distance = std::numeric_limits<double>::infinity();
+        double bound = 0;
+        SourcePlace place;
+    };
+    // The leaf whose boundary is nearest to p, measured in bounds. Leaves farther than `reach` times the greater bound need not be seen.
+    Nearest nearest(Vec3 p, double curved_bound, double flat_bound, double reach) const;
+
+    bool any_curved() const { return any_curved_; }
+    std::size_t size() const { return leaves_.size(); }
+
+private:
+    LeafDistances();
+    struct Grid;
+    std::vector<PlacedLeaf> leaves_;
+    std::unique_ptr<Grid> grid_;
+    bool any_curved_ = false;
+};
+
+// Of one leaf's boundary, from a point of the root frame.
+LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p);
+
+}  // namespace whittle
