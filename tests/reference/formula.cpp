@@ -53,15 +53,21 @@ ExpressionId Formulas::add(Expression e) {
     return static_cast<ExpressionId>(expressions_.size() - 1);
 }
 
-ExpressionId Formulas::negative(const Form& f) {
-    if (f.is_constant()) return !f.is_zero() && f.terms().begin()->second.sign() < 0 ? always() : never();
-    const bool flip = f.terms().rbegin()->second.sign() < 0;  // f and -f are one support
-    const Form kept = primitive(flip ? -f : f);
+std::uint32_t Formulas::support(const Form& f, bool& flipped) {
+    flipped = f.terms().rbegin()->second.sign() < 0;  // f and -f are one support
+    const Form kept = primitive(flipped ? -f : f);
     std::vector<std::pair<Monomial, std::pair<mpz_class, long>>> key;
     for (const auto& [m, c] : kept.terms()) key.push_back({m, {c.mantissa(), c.exponent()}});
     const auto [at, fresh] = by_terms_.try_emplace(std::move(key), static_cast<std::uint32_t>(supports_.size()));
     if (fresh) supports_.push_back(kept);
-    return add({flip ? Expression::Kind::kPositive : Expression::Kind::kNegative, at->second, {}});
+    return at->second;
+}
+
+ExpressionId Formulas::negative(const Form& f) {
+    if (f.is_constant()) return !f.is_zero() && f.terms().begin()->second.sign() < 0 ? always() : never();
+    bool flipped = false;
+    const std::uint32_t at = support(f, flipped);
+    return add({flipped ? Expression::Kind::kPositive : Expression::Kind::kNegative, at, {}});
 }
 
 ExpressionId Formulas::negative(const Surd& s) {

@@ -26,6 +26,8 @@ public:
     ExpressionId never() const { return 0; }
     ExpressionId always() const { return 1; }
     ExpressionId negative(const Form& f);
+    // The support of f; `flipped` where f is negative on its positive side. Requires: f is not constant.
+    std::uint32_t support(const Form& f, bool& flipped);
     ExpressionId negative(const Surd& s);
     ExpressionId positive(const Form& f) { return negative(-f); }
     ExpressionId positive(const Surd& s) { return negative(Surd{-s.a, -s.b, s.rho2}); }

@@ -31,6 +31,12 @@ Trace trace(const Polynomial& p) {
     return t;
 }
 
+// A facet that the ray passes: behind it where its support, linear in t, has the sign `after`.
+struct Passed {
+    std::uint32_t support;
+    int after;
+};
+
 // Root number `root` of support `support`.
 struct Event {
     std::uint32_t support, root;
@@ -83,7 +89,12 @@ Tree tree_of(const Solid& solid, const Options& options) {
 
 Evaluator::Evaluator(Tree tree) : tree_(std::move(tree)), readers_(tree_.formulas.supports().size()) {
     for (std::uint32_t i = 0; i < leaf_count(); ++i)
-        for (const std::uint32_t s : tree_.formulas.reads(tree_.leaves[i])) readers_[s].push_back(i);
+        if (const auto facets = tree_.faceted.find(i); facets != tree_.faceted.end()) {
+            for (const Facet& f : facets->second.facets)
+                if (readers_[f.support].empty() || readers_[f.support].back() != i) readers_[f.support].push_back(i);
+        } else {
+            for (const std::uint32_t s : tree_.formulas.reads(tree_.leaves[i])) readers_[s].push_back(i);
+        }
 }
 
 bool Evaluator::holds(std::size_t id, const std::vector<bool>& leaf_holds) const {
@@ -108,8 +119,19 @@ Borders Evaluator::borders(const Ray& ray) const {
         traces[s] = trace(on_ray.along(tree_.formulas.supports()[s]));
         signs[s] = traces[s].signs[0];
     }
-    std::vector<bool> leaf_holds(tree_.leaves.size());
-    for (std::size_t i = 0; i < tree_.leaves.size(); ++i) leaf_holds[i] = tree_.formulas.holds(tree_.leaves[i], signs);
+    std::map<std::uint32_t, std::vector<Passed>> behind;
+    std::map<std::uint32_t, bool> throughout;
+    for (const auto& [leaf, solid] : tree_.faceted) {
+        for (const std::size_t i : passed(solid.facets, ray)) behind[leaf].push_back({solid.facets[i].support, traces[solid.facets[i].support].signs.back()});
+        throughout[leaf] = is_along(solid, ray) && holds_along(solid, ray);
+    }
+    const auto leaf_holds_now = [&](std::uint32_t leaf) {
+        if (tree_.faceted.count(leaf) == 0) return tree_.formulas.holds(tree_.leaves[leaf], signs);
+        const auto& list = behind[leaf];
+        return throughout[leaf] || std::count_if(list.begin(), list.end(), [&](const Passed& p) { return signs[p.support] == p.after; }) % 2 != 0;
+    };
+    std::vector<bool> leaf_holds(leaf_count());
+    for (std::uint32_t i = 0; i < leaf_count(); ++i) leaf_holds[i] = leaf_holds_now(i);
 
     Borders result;
     bool inside = holds(tree_.root, leaf_holds);
@@ -125,7 +147,7 @@ Borders Evaluator::borders(const Ray& ray) const {
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         Border border{first->lo, first->hi, true, {}};
         for (const std::uint32_t leaf : touched) {
-            const bool now = tree_.formulas.holds(tree_.leaves[leaf], signs);
+            const bool now = leaf_holds_now(leaf);
             if (now != leaf_holds[leaf]) border.leaves.push_back(leaf);
             leaf_holds[leaf] = now;
         }

@@ -8,11 +8,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "csg/solid/solid.h"
 #include "csg/span/ray.h"
 #include "tests/reference/formula.h"
+#include "tests/reference/parity.h"
 #include "tests/reference/polynomial.h"
 
 namespace whittle::reference {
@@ -45,7 +47,8 @@ struct Branch {
 // A solid as formulas: what each leaf is, and what the leaves make.
 struct Tree {
     Formulas formulas;
-    std::vector<ExpressionId> leaves;
+    std::vector<ExpressionId> leaves;          // not read where the leaf has facets
+    std::map<std::uint32_t, Faceted> faceted;  // by leaf
     std::vector<Branch> branches;
     std::size_t root = 0;
 };
@@ -65,7 +68,7 @@ private:
     bool holds(std::size_t branch, const std::vector<bool>& leaf_holds) const;
 
     Tree tree_;
-    std::vector<std::vector<std::uint32_t>> readers_;  // by support: the leaves that read it
+    std::vector<std::vector<std::uint32_t>> readers_;  // by support: the leaves that read it, ascending
 };
 
 }  // namespace whittle::reference

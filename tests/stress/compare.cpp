@@ -1,0 +1,194 @@
+// compare.cpp — see compare.h.
+#include "tests/stress/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tests/stress/lowered.h"
+
+namespace whittle::stress {
+
+namespace {
+
+using reference::Border;
+using reference::Borders;
+using reference::Dyadic;
+
+double about(const Border& b) { return middle(b.lo, b.hi).to_double(); }
+
+std::string described(const Borders& b) {
+    std::string text = b.starts_inside ? "[inside]" : "";
+    for (const Border& x : b.borders) text += fmt::format(" {}{:.17g}", x.entering ? "+" : "-", about(x));
+    return text;
+}
+
+std::string described(const Spans& spans) {
+    std::string text;
+    for (const Span& s : spans) {
+        text += s.in ? fmt::format(" +{:.17g}", s.in->t) : " [inside]";
+        text += s.out ? fmt::format(" -{:.17g}", s.out->t) : " ...";
+    }
+    return text;
+}
+
+struct Met {
+    End end;
+    bool entering;
+};
+
+// The spans as borders; `inside`: the first has no `in`.
+std::vector<Met> flattened(const Spans& spans, bool& inside, std::string& fault) {
+    std::vector<Met> r;
+    inside = !spans.empty() && !spans[0].in;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        if (spans[i].in) r.push_back({*spans[i].in, true});
+        else if (i > 0) fault = "a later span has no in";
+        if (spans[i].out) r.push_back({*spans[i].out, false});
+        else if (i + 1 < spans.size()) fault = "an earlier span has no out";
+    }
+    for (std::size_t i = 1; i < r.size(); ++i)
+        if (r[i].end.t < r[i - 1].end.t) fault = "ends are out of order";
+    return r;
+}
+
+bool within(const End& end, const Border& b) {
+    const Dyadic t(end.t), e(end.t_error);
+    return b.lo <= t + e && t - e <= b.hi;
+}
+
+std::string end_fault(const Subject& subject, const Ray& ray, const End& end, const Border& b, Tally& tally) {
+    if (!std::isfinite(end.t) || !std::isfinite(end.t_error) || end.t < 0 || end.t_error < 0) return "t or t_error is no such number";
+    if (!end.certified) ++tally.uncertified;
+    if (end.certified && !within(end, b)) return fmt::format("t {:.17g} is off by {:.3g}, t_error {:.3g}", end.t, end.t - about(b), end.t_error);
+    if (end.t_error > 0) tally.worst_ratio = std::max(tally.worst_ratio, std::abs((Dyadic(end.t) - b.lo).to_double()) / end.t_error);
+    if (!(std::abs(length(end.normal) - 1) < 1e-9)) return "the normal is not of length 1";
+    const double against = dot(end.normal, ray.direction) / length(ray.direction);
+    if (b.entering ? against > 1e-6 : against < -1e-6) return fmt::format("the normal faces the wrong way: {:.3g}", against);
+    const auto is_use = [&](std::uint32_t leaf) { return subject.use_of_leaf[leaf] == end.use; };
+    if (std::none_of(b.leaves.begin(), b.leaves.end(), is_use)) return fmt::format("use {} does not change there", end.use);
+    return {};
+}
+
+std::string spans_fault(const Subject& subject, const Ray& ray, const Borders& want, Scratch& scratch, Tally& tally) {
+    Spans spans;
+    all_spans(*subject.program, ray, scratch, spans);
+    const auto fail_with = [&](const std::string& why) { return fmt::format("all_spans: {}\n  engine   {}\n  reference{}", why, described(spans), described(want)); };
+    bool inside = false;
+    std::string fault;
+    const std::vector<Met> met = flattened(spans, inside, fault);
+    if (!fault.empty()) return fail_with(fault);
+    if (met.size() != want.borders.size()) return fail_with("another number of borders");
+    const bool enters_at_zero = !want.borders.empty() && want.borders[0].entering;
+    if (inside != (want.starts_inside && !enters_at_zero)) return fail_with("another start");
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        if (met[i].entering != want.borders[i].entering) return fail_with("another direction");
+        if (std::string why = end_fault(subject, ray, met[i].end, want.borders[i], tally); !why.empty()) return fail_with(why);
+    }
+    return {};
+}
+
+std::string first_hit_fault(const Subject& subject, const Ray& ray, const Borders& want, double t_max, Scratch& scratch, Tally& tally) {
+    Hit hit;
+    const bool found = first_hit(*subject.program, ray, t_max, scratch, hit);
+    const auto fail_with = [&](const std::string& why) { return fmt::format("first_hit up to {:.17g}: {}\n  reference{}", t_max, why, described(want)); };
+    const bool wanted = !want.borders.empty() && want.borders[0].hi <= Dyadic(std::min(t_max, 0x1p1000));
+    if (found != wanted) return fail_with(found ? fmt::format("hit at {:.17g}", hit.end.t) : "nothing");
+    if (!found) return {};
+    if (hit.from_inside != !want.borders[0].entering) return fail_with("another direction");
+    const std::string why = end_fault(subject, ray, hit.end, want.borders[0], tally);
+    return why.empty() ? why : fail_with(why);
+}
+
+std::string any_hit_fault(const Subject& subject, const Ray& ray, const Borders& want, double t_max, Scratch& scratch) {
+    const bool enters_before = !want.borders.empty() && want.borders[0].entering && want.borders[0].hi < Dyadic(std::min(t_max, 0x1p1000));
+    const bool wanted = want.starts_inside || enters_before;
+    if (any_hit(*subject.program, ray, t_max, scratch) == wanted) return {};
+    return fmt::format("any_hit up to {:.17g}: not {}\n  reference{}", t_max, wanted, described(want));
+}
+
+// Borders less the intervals (inside or outside) shorter than `least`.
+std::vector<Border> without_slivers(const Borders& b, double least) {
+    std::vector<Border> r;
+    for (const Border& x : b.borders) {
+        if (!r.empty() && about(x) - about(r.back()) < least) r.pop_back();
+        else r.push_back(x);
+    }
+    if (!r.empty() && about(r[0]) < least) r.erase(r.begin());
+    return r;
+}
+
+bool alike(const std::vector<Border>& a, const std::vector<Border>& b, double room) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Border& p, const Border& q) {
+        return p.entering == q.entering && std::abs(about(p) - about(q)) <= room + 1e-9 * std::abs(about(p));
+    });
+}
+
+}  // namespace
+
+Subject subject_of(const Solid& solid, bool snap) {
+    Subject s;
+    EngineOptions options;
+    options.snap = snap;
+    auto program = compile(solid, options);
+    if (!program) {
+        s.failure = program.error().message;
+        return s;
+    }
+    auto tree = lowered_tree(solid, snap, s.use_of_leaf);
+    if (!tree) {
+        s.failure = tree.error().message;
+        return s;
+    }
+    s.program = *program;
+    s.exact = std::make_unique<reference::Evaluator>(std::move(*tree));
+    return s;
+}
+
+std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally) {
+    const Borders want = subject.exact->borders(ray);
+    ++tally.pairs;
+    tally.borders += want.borders.size();
+    tally.from_inside += want.starts_inside;
+    std::string why = spans_fault(subject, ray, want, scratch, tally);
+    // Limits between the borders, well away from them, and none.
+    std::vector<double> limits{HUGE_VAL};
+    if (!want.borders.empty()) {
+        const double first = about(want.borders[0]);
+        limits.push_back(first * 0.5);
+        limits.push_back(first * (1 + std::uniform_real_distribution<double>(0x1p-20, 2)(random)));
+    }
+    for (const double t_max : limits) {
+        if (!(t_max > 0)) continue;
+        if (why.empty()) why = first_hit_fault(subject, ray, want, t_max, scratch, tally);
+        if (why.empty()) why = any_hit_fault(subject, ray, want, t_max, scratch);
+    }
+    return why;
+}
+
+std::string loose_disagreement(const reference::Evaluator& a, const reference::Evaluator& b, const Ray& ray, double size, std::mt19937_64& random,
+                               Tally& tally) {
+    const double unit = size / length(ray.direction);
+    const auto plain = [&](const Borders& x) { return without_slivers(x, 1e-9 * unit); };
+    const Borders left = a.borders(ray), right = b.borders(ray);
+    ++tally.pairs;
+    tally.borders += left.borders.size();
+    if (alike(plain(left), plain(right), 1e-8 * unit)) return {};
+    for (int i = 0; i < 64; ++i) {
+        Ray moved = ray;
+        const double step = std::pow(10.0, -12 - i % 6);
+        std::uniform_real_distribution<double> little(-step, step);
+        for (int k = 0; k < 3; ++k) {
+            moved.origin[k] += little(random) * (size + length(ray.origin));
+            moved.direction[k] += little(random) * length(ray.direction);
+        }
+        if (!alike(plain(left), plain(a.borders(moved)), 1e-8 * unit)) {
+            ++tally.masked;
+            return {};
+        }
+    }
+    return fmt::format("the solid{}\n  its formula{}", described(left), described(right));
+}
+
+}  // namespace whittle::stress

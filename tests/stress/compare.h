@@ -1,0 +1,37 @@
+// compare.h — the engine's answers against the reference's, border by border; and two references against each other outside a mask.
+#pragma once
+
+#include <memory>
+#include <random>
+#include <string>
+
+#include "tests/reference/reference.h"
+#include "tests/support/random_solid.h"
+#include "tracer/engine/engine.h"
+
+namespace whittle::stress {
+
+struct Subject {
+    std::shared_ptr<const Program> program;
+    std::unique_ptr<reference::Evaluator> exact;   // of the engine's own formula
+    std::vector<std::uint32_t> use_of_leaf;        // of that formula
+    std::string failure;                           // why there is none
+};
+
+Subject subject_of(const Solid& solid, bool snap);
+
+// What the comparisons met, so that a test can demand that they were not trivial.
+struct Tally {
+    std::uint64_t pairs = 0, borders = 0, from_inside = 0, uncertified = 0, masked = 0;
+    double worst_ratio = 0;  // |t - exact t| / t_error
+};
+
+// Empty where all_spans, first_hit and any_hit agree with the reference: number, order and direction of the borders, every t within its bound, the
+// use of each border among those that change there. Otherwise what differs.
+std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally);
+
+// Empty where both references have the same borders, or where the answer of `a` changes when the ray moves by 1e-12 ... 1e-17 of the solid's size (then masked).
+// Intervals shorter than 1e-9 of the size are left out first. For a formula whose numbers were rounded in reading against the solid before.
+std::string loose_disagreement(const reference::Evaluator& a, const reference::Evaluator& b, const Ray& ray, double size, std::mt19937_64& random, Tally& tally);
+
+}  // namespace whittle::stress

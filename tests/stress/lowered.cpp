@@ -1,0 +1,210 @@
+// lowered.cpp — see lowered.h.
+#include "tests/stress/lowered.h"
+
+#include "tracer/engine/lower.h"
+
+namespace whittle::stress {
+
+namespace {
+
+using reference::Dyadic;
+using reference::ExpressionId;
+using reference::Facet;
+using reference::Faceted;
+using reference::Form;
+using reference::FormPoint;
+using reference::Line;
+using reference::Triple;
+
+Form square(const Form& f) { return f * f; }
+
+// The support's polynomial, positive outside, at a point of its frame.
+class SupportForm {
+public:
+    SupportForm(const Support& support, const FormPoint& p) : s_(support), p_(p), x_{p.x, p.y, p.z}, u_((s_.axis + 1u) % 3), v_((s_.axis + 2u) % 3) {}
+
+    Form operator()() const {
+        switch (s_.kind) {
+            case SupportKind::kAxisPlane: return from(s_.axis, 0);
+            case SupportKind::kPlane: return n(0) * p_.x + n(1) * p_.y + n(2) * p_.z - n(3) * p_.w;
+            case SupportKind::kPlanePoints: return through_points();
+            case SupportKind::kEdgePlane: return (n(3) - n(1)) * from(u_, 0) - (n(2) - n(0)) * from(v_, 1);
+            case SupportKind::kBall: return from_centre() - square(n(3) * p_.w);
+            case SupportKind::kEllipsoid: {
+                const Form a = square(n(3)), b = square(n(4)), c = square(n(5));
+                return square(from(0, 0)) * b * c + square(from(1, 1)) * a * c + square(from(2, 2)) * a * b - a * b * c * square(p_.w);
+            }
+            case SupportKind::kCylinder: return square(from(u_, 0)) + square(from(v_, 1)) - square(n(2) * p_.w);
+            case SupportKind::kCone: return cone();
+            case SupportKind::kTube: return tube();
+            case SupportKind::kQuadric: return quadric();
+            case SupportKind::kTorus: return square(core()) - Form(4.0) * square(n(3) * p_.w) * (square(from(u_, u_)) + square(from(v_, v_)));
+            case SupportKind::kTorusCore: return core();
+        }
+        return {};
+    }
+
+private:
+    Form n(std::size_t i) const { return Form(s_.p[i]); }
+    Form from(std::size_t axis, std::size_t parameter) const { return x_[axis] - n(parameter) * p_.w; }
+    Form from_centre() const { return square(from(0, 0)) + square(from(1, 1)) + square(from(2, 2)); }
+    Form core() const { return from_centre() + (square(n(3)) - square(n(4))) * square(p_.w); }
+
+    Form through_points() const {
+        const auto minor = [&](std::size_t i, std::size_t j) { return (n(3 + i) - n(i)) * (n(6 + j) - n(j)) - (n(3 + j) - n(j)) * (n(6 + i) - n(i)); };
+        return minor(1, 2) * from(0, 0) + minor(2, 0) * from(1, 1) + minor(0, 1) * from(2, 2);
+    }
+    Form cone() const {
+        const Form height = n(3) - n(2);
+        const Form radius = n(4) * height * p_.w + (n(5) - n(4)) * from(s_.axis, 2);
+        return square(height) * (square(from(u_, 0)) + square(from(v_, 1))) - square(radius);
+    }
+    // Squared distance from the axis, times its length squared: |x|^2 |a|^2 - (x.a)^2.
+    Form tube() const {
+        Form length2, along;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Form a = n(3 + i) - n(i);
+            length2 = length2 + square(a);
+            along = along + a * from(i, i);
+        }
+        return from_centre() * length2 - square(along) - square(n(6) * p_.w) * length2;
+    }
+    Form quadric() const {
+        const Form product[10] = {p_.x * p_.x, p_.y * p_.y, p_.z * p_.z, p_.x * p_.y, p_.x * p_.z, p_.y * p_.z, p_.x * p_.w, p_.y * p_.w, p_.z * p_.w, p_.w * p_.w};
+        Form sum;
+        for (std::size_t i = 0; i < 10; ++i) sum = sum + n(i) * product[i];
+        return sum;
+    }
+
+    const Support& s_;
+    const FormPoint& p_;
+    const std::array<Form, 3> x_;
+    const std::size_t u_, v_;
+};
+
+class Reader {
+public:
+    Reader(const Formula& formula, const Classes& classes) : formula_(formula) {
+        for (const Frame& f : formula.table.frames) frames_.push_back(reference::pulled_back(reference::root_frame_point(), reference::exact(f.placement)));
+        std::vector<Form> of_class;
+        for (const Support& s : classes.supports) of_class.push_back(SupportForm(s, frames_[s.frame])());
+        for (const ClassOfSupport& c : classes.of) forms_.push_back(c.flipped ? -of_class[c.id] : of_class[c.id]);
+    }
+
+    reference::Tree read(std::vector<std::uint32_t>& use_of_leaf) {
+        tree_.root = grow(formula_.root);
+        use_of_leaf = std::move(uses_);
+        return std::move(tree_);
+    }
+
+private:
+    std::size_t grow(FormulaId id) {
+        const FormulaNode& n = formula_.nodes[id];
+        reference::Branch b;
+        if (n.kind == FormulaKind::kAnd || n.kind == FormulaKind::kOr) {
+            b.op = n.kind == FormulaKind::kAnd ? SetOp::kIntersection : SetOp::kUnion;
+            for (const FormulaId child : n.children) b.operands.push_back(grow(child));
+            return add(std::move(b));
+        }
+        b.is_leaf = true;
+        b.leaf = static_cast<std::uint32_t>(tree_.leaves.size());
+        uses_.push_back(n.use);
+        const ExpressionId what = n.kind == FormulaKind::kCell ? cell(n) : n.kind == FormulaKind::kEverything ? tree_.formulas.always() : tree_.formulas.never();
+        tree_.leaves.push_back(n.negated ? tree_.formulas.none(what) : what);
+        if (n.kind == FormulaKind::kPrism) tree_.faceted[b.leaf] = walls(formula_.prisms[n.data]);
+        if (n.kind == FormulaKind::kMesh) tree_.faceted[b.leaf] = triangles(formula_.meshes[n.data]);
+        const bool turn = n.negated && tree_.faceted.count(b.leaf) != 0;
+        const std::size_t leaf = add(std::move(b));
+        return turn ? add({SetOp::kDifference, false, 0, {everything(), leaf}}) : leaf;
+    }
+
+    std::size_t add(reference::Branch b) {
+        tree_.branches.push_back(std::move(b));
+        return tree_.branches.size() - 1;
+    }
+
+    std::size_t everything() {
+        reference::Branch b;
+        b.is_leaf = true;
+        b.leaf = static_cast<std::uint32_t>(tree_.leaves.size());
+        uses_.push_back(0);
+        tree_.leaves.push_back(tree_.formulas.always());
+        return add(std::move(b));
+    }
+
+    ExpressionId cell(const FormulaNode& n) {
+        std::vector<ExpressionId> sides;
+        for (const HalfSpaceRef& h : n.half_spaces) sides.push_back(h.inverted ? tree_.formulas.positive(forms_[h.support]) : tree_.formulas.negative(forms_[h.support]));
+        return tree_.formulas.all(std::move(sides));
+    }
+
+    Triple placed(FrameId frame, const Triple& p, bool is_point) const {
+        const auto m = reference::exact(formula_.table.frames[frame].placement);
+        Triple r;
+        for (std::size_t i = 0; i < 3; ++i) {
+            r[i] = m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2];
+            if (is_point) r[i] += m[4 * i + 3];
+        }
+        return r;
+    }
+    Triple placed(FrameId frame, const Vec3& p) const { return placed(frame, {Dyadic(p.x), Dyadic(p.y), Dyadic(p.z)}, true); }
+
+    Faceted walls(const PrismData& prism) {
+        std::vector<Facet> facets;
+        Triple axis, other;
+        axis[prism.axis] = Dyadic(1.0);
+        other[(prism.axis + 1u) % 3] = Dyadic(1.0);
+        const Triple along = placed(prism.frame, axis, false), across = placed(prism.frame, other, false), against{-along[0], -along[1], -along[2]};
+        const auto corner = [&](const Vec2& v) {
+            Vec3 p{0};
+            p[(prism.axis + 1) % 3] = v.x;
+            p[(prism.axis + 2) % 3] = v.y;
+            return placed(prism.frame, p);
+        };
+        std::size_t edge = 0;
+        for (const auto& contour : prism.contours)
+            for (std::size_t i = 0; i < contour.size(); ++i, ++edge) {
+                if (prism.edges[edge] == kNoSupport) continue;
+                const Triple a = corner(contour[i]), b = corner(contour[(i + 1) % contour.size()]);
+                facets.push_back({support(prism.edges[edge]), reference::cross(reference::minus(b, a), along), {{a, along}, {b, against}}});
+            }
+        return {std::move(facets), along, across};
+    }
+
+    Faceted triangles(const MeshPart& part) {
+        std::vector<Facet> facets;
+        for (std::size_t i = 0; i < part.facets.size(); ++i) {
+            if (part.facets[i] == kNoSupport) continue;
+            const auto& t = part.mesh->triangles[i];
+            const Triple a = placed(part.frame, part.mesh->points[t[0]]), b = placed(part.frame, part.mesh->points[t[1]]), c = placed(part.frame, part.mesh->points[t[2]]);
+            const Triple ab = reference::minus(b, a), bc = reference::minus(c, b), ca = reference::minus(a, c);
+            facets.push_back({support(part.facets[i]), reference::cross(ab, bc), {{a, ab}, {b, bc}, {c, ca}}});
+        }
+        return {std::move(facets), {}, {}};
+    }
+
+    std::uint32_t support(SupportId id) {
+        bool flipped = false;
+        return tree_.formulas.support(forms_[id], flipped);
+    }
+
+    const Formula& formula_;
+    std::vector<FormPoint> frames_;
+    std::vector<Form> forms_;  // by support
+    reference::Tree tree_;
+    std::vector<std::uint32_t> uses_;
+};
+
+}  // namespace
+
+reference::Tree tree_of(const Formula& formula, const Classes& classes, std::vector<std::uint32_t>& use_of_leaf) {
+    return Reader(formula, classes).read(use_of_leaf);
+}
+
+Result<reference::Tree> lowered_tree(const Solid& solid, bool snap, std::vector<std::uint32_t>& use_of_leaf) {
+    const Result<Formula> formula = lower(solid);
+    if (!formula) return tl::unexpected<Error>(formula.error());
+    return tree_of(*formula, find_classes(formula->table, snap), use_of_leaf);
+}
+
+}  // namespace whittle::stress

@@ -1,0 +1,61 @@
+// test_lowering.cpp — the engine's formula is the solid: against the solid's own reference, outside the mask of rays that rounding in reading decides.
+#include <catch2/catch.hpp>
+
+#include "tests/reference/shapes.h"
+#include "tests/stress/compare.h"
+#include "tests/stress/lowered.h"
+#include "tests/support/reduce.h"
+
+using namespace whittle;
+using namespace whittle::stress;
+using namespace whittle::support;
+
+namespace {
+
+// The engine takes a scaled extrusion as facets, which only nearly are it.
+bool has_scaled_extrusion(const Solid& solid) {
+    for (NodeId id = 0; id < solid.node_count(); ++id)
+        if (const auto* shape = std::get_if<Shape>(&solid.node(id)))
+            if (const auto* e = std::get_if<shape::Extrusion>(shape); e && e->scale_top != Vec2(1)) return true;
+    return false;
+}
+
+std::string lowering_fault(const Solid& solid, const Ray& ray, double size) {
+    std::vector<std::uint32_t> uses;
+    auto tree = lowered_tree(solid, false, uses);
+    if (!tree) return tree.error().message;
+    std::mt19937_64 random(1);
+    Tally tally;
+    return loose_disagreement(reference::Evaluator(solid), reference::Evaluator(std::move(*tree)), ray, size, random, tally);
+}
+
+void check_theme(Theme theme, int solids, int rays) {
+    std::mt19937_64 random(Catch::rngSeed() + static_cast<std::uint64_t>(theme));
+    Tally tally;
+    for (int i = 0; i < solids; ++i) {
+        const std::uint64_t seed = random();
+        const RandomSolid solid = random_solid(theme, seed);
+        if (has_scaled_extrusion(solid.solid)) continue;
+        std::vector<std::uint32_t> uses;
+        auto tree = lowered_tree(solid.solid, false, uses);
+        REQUIRE(tree);
+        const reference::Evaluator a(solid.solid), b(std::move(*tree));
+        for (int k = 0; k < rays; ++k) {
+            const Ray ray = random_ray(solid, random);
+            INFO(name_of(theme) << " solid " << seed << "u ray " << to_text(ray));
+            const std::string why = loose_disagreement(a, b, ray, solid.size, random, tally);
+            if (why.empty()) continue;
+            const Solid small = reduced(solid.solid, [&](const Solid& s) { return !lowering_fault(s, ray, solid.size).empty(); });
+            FAIL(lowering_fault(small, ray, solid.size) << "\n  " << to_code(small));
+        }
+    }
+    WARN(name_of(theme) << ": " << tally.pairs << " pairs, " << tally.borders << " borders, " << tally.masked << " masked");
+    CHECK(tally.borders > tally.pairs / 4);
+    CHECK(tally.masked * 4 < tally.pairs);
+}
+
+}  // namespace
+
+TEST_CASE("lowering keeps the solid") {
+    for (int theme = 0; theme < kThemes; ++theme) check_theme(static_cast<Theme>(theme), 40, 8);
+}
