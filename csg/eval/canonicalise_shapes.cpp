@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,9 @@
 
 namespace whittle {
 namespace {
+
+// Half of anything larger is still a size.
+constexpr double kSmallestSize = 4 * std::numeric_limits<double>::min();
 
 bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -32,7 +36,7 @@ Made Canonicaliser::leaf(const SceneNode& node, Shape shape, const Placement& pl
 }
 
 bool Canonicaliser::is_positive(const SceneNode& node, const char* module, const char* what, double size) {
-    if (size > 0 && std::isfinite(size)) return true;
+    if (size > kSmallestSize && std::isfinite(size)) return true;
     left_out(node.place, fmt::format("{}() has {} {:g}, left out", module, what, size));
     return false;
 }

@@ -18,7 +18,13 @@ using Facet = std::vector<std::uint32_t>;
 // Diagonals this close are taken as equal (OpenSCAD's rule for the sides of an extrusion).
 constexpr double kEqualDiagonals = 1e-5;
 
+// Corners beyond which a list is refused: they would fill some gigabytes, and no author means them.
+constexpr double kMostCorners = 1 << 26;
+
 tl::unexpected<Error> cannot(const char* what) { return fail(Fault::kScene, what); }
+constexpr const char* kTooMany = "more facets than memory should hold: lower $fn or slices";
+
+bool too_many(double layers, double corners_each) { return layers * corners_each > kMostCorners; }
 
 FacetList box_facets(const shape::Box& s) {
     FacetList out;
@@ -45,9 +51,10 @@ void add_belt(FacetList& out, std::uint32_t lower, std::uint32_t upper, int n) {
     }
 }
 
-FacetList ball_facets(const shape::FacetedBall& s) {
+Result<FacetList> ball_facets(const shape::FacetedBall& s) {
     FacetList out;
     const int rings = (s.n + 1) / 2;
+    if (too_many(rings, s.n)) return cannot(kTooMany);
     for (int i = 0; i < rings; ++i) {
         const double phi = 180.0 * (i + 0.5) / rings;
         add_ring(out, s.r * sind(phi), s.r * cosd(phi), s.n);
@@ -142,6 +149,7 @@ Result<FacetList> extrusion_facets(const Solid& solid, const shape::Extrusion& s
     if (!outline) return tl::unexpected(outline.error());
     const int slices = even ? 1 : s.slices;
     const auto layer = static_cast<std::uint32_t>(outline->points.size());
+    if (too_many(slices + 1.0, layer)) return cannot(kTooMany);
     FacetList out;
     for (int j = 0; j <= slices; ++j) {
         const double turn = s.twist_deg * j / slices, c = cosd(-turn), n = sind(-turn);
@@ -174,6 +182,7 @@ Result<FacetList> revolution_facets(const Solid& solid, const shape::Revolution&
     if (!outline) return tl::unexpected(outline.error());
     const bool whole = s.angle_deg == 360;
     const auto layer = static_cast<std::uint32_t>(outline->points.size()), n = static_cast<std::uint32_t>(s.fragments);
+    if (too_many(s.fragments + 1.0, layer)) return cannot(kTooMany);
     FacetList out;
     for (int j = 0; j < s.fragments + (whole ? 0 : 1); ++j) {
         const Vec2 d = direction_of(s, j);

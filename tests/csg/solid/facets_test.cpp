@@ -145,6 +145,16 @@ TEST_CASE("curved shapes have no facets") {
     CHECK_FALSE(facets_of(solid, solid.root().node));
 }
 
+TEST_CASE("facets that would fill the memory are refused") {
+    SolidBuilder b;
+    Use root;
+    root.node = b.shape(shape::FacetedBall{1, 1000000});
+    const Solid solid = b.finish(root);
+    const auto list = facets_of(solid, solid.root().node);
+    REQUIRE_FALSE(list);
+    CHECK(list.error().fault == Fault::kScene);
+}
+
 TEST_CASE("ear clipping covers a region with holes once and keeps every corner") {
     std::vector<Vec2> points;
     std::vector<std::vector<std::uint32_t>> rings;
