@@ -1,6 +1,7 @@
 // cell.cpp — the intersection of a few half-spaces: an interval, cut further by the ones that are not convex on the ray.
 #include <algorithm>
 
+#include "csg/span/interval_set.h"
 #include "tracer/engine/leaf.h"
 
 namespace whittle {
@@ -12,25 +13,10 @@ Event event_of(ClassId id, const Crossings& c, int i) {
     return {c.t[k], c.error[k], id, static_cast<std::uint8_t>(i), false};
 }
 
-// out[first...] (changes of a set, `inside` before the first) intersected with another set's changes.
-bool intersect(RayContext& context, std::vector<Event>& out, std::size_t first, bool inside, const Crossings& c, ClassId id, bool c_inside) {
-    const std::vector<Event> a(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
-    out.resize(first);
-    const bool before_all = inside && c_inside;
-    bool now = before_all;
-    std::size_t i = 0;
-    int j = 0;
-    while (i < a.size() || j < c.count) {
-        int order = i == a.size() ? 1 : j == c.count ? -1 : context.compare(a[i], event_of(id, c, j));
-        const Event e = order <= 0 ? a[i] : event_of(id, c, j);
-        if (order <= 0) inside = !inside, ++i;
-        if (order >= 0) c_inside = !c_inside, ++j;
-        if ((inside && c_inside) != now) {
-            now = !now;
-            out.push_back(e);
-        }
-    }
-    return before_all;
+IntervalSet<Event> set_of(const Crossings& c, ClassId id, bool starts_inside) {
+    IntervalSet<Event> r{starts_inside, {}};
+    for (int i = 0; i < c.count; ++i) r.borders.push_back(event_of(id, c, i));
+    return r;
 }
 
 }  // namespace
@@ -67,18 +53,24 @@ bool cell_events(const Leaf& leaf, RayContext& context, std::vector<Event>& out)
         }
         if (context.compare(lo, hi) >= 0) return false;
     }
-    const std::size_t first = out.size();
-    bool inside = lo.t == -HUGE_VAL;
-    if (!inside) out.push_back(lo);
-    if (hi.t != HUGE_VAL) out.push_back(hi);
-    for (std::uint32_t i = 0; more && i < leaf.count; ++i) {
+    if (!more) {
+        if (lo.t != -HUGE_VAL) out.push_back(lo);
+        if (hi.t != HUGE_VAL) out.push_back(hi);
+        return lo.t == -HUGE_VAL;
+    }
+    IntervalSet<Event> rest{lo.t == -HUGE_VAL, {}};
+    if (!rest.inside_before) rest.borders.push_back(lo);
+    if (hi.t != HUGE_VAL) rest.borders.push_back(hi);
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
         const HalfSpace h = program.half_spaces[leaf.first + i];
         if (is_plane(program.classes[h.id()].kind)) continue;
         context.crossings(h.id(), c);
         const bool starts_inside = (c.first_sign < 0) != h.inverted();
-        if (c.count > 2 || (c.count == 2 && starts_inside)) inside = intersect(context, out, first, inside, c, h.id(), starts_inside);
+        if (c.count > 2 || (c.count == 2 && starts_inside))
+            rest = intersect(rest, set_of(c, h.id(), starts_inside), [&](const Event& a, const Event& b) { return context.compare(a, b); });
     }
-    return inside;
+    out.insert(out.end(), rest.borders.begin(), rest.borders.end());
+    return rest.inside_before;
 }
 
 void sort_by_parity(RayContext& context, std::vector<Event>& events, std::size_t first) {

@@ -143,12 +143,6 @@ FormulaId FormulaBuilder::revolved_disc(double x, double z, double r, const Site
 }
 
 FormulaId FormulaBuilder::revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site) {
-    bool left = true;
-    for (const auto& c : contours)
-        for (const Vec2& v : c) left = left && v.x <= 0;
-    if (left)
-        for (auto& c : contours)
-            for (Vec2& v : c) v.x = -v.x;
     const std::vector<Edge> edges = edges_of(contours);
     const std::vector<double> cuts = cuts_of(edges);
     std::vector<FormulaId> rings;

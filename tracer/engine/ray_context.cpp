@@ -20,6 +20,7 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
     exact_.clear();
     root_ = ray_in_frame(program.frames[0], ray);
     slab_ = slab_ray(root_.o, root_.d);
+    for (std::size_t i = 0; i < 3; ++i) regular_[i] = std::isnormal(slab_.inverse[i]) && std::isfinite(root_.o[i]);
 }
 
 namespace {
@@ -61,8 +62,7 @@ bool RayContext::leaves(ClassId id) const {
     return false;
 }
 
-void RayContext::crossings(ClassId id, Crossings& out) {
-    const Support& s = program_->classes[id];
+void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
     const FrameRay& local = frame_ray(s.frame);
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
     if (!decided) out = exact(id).crossings;

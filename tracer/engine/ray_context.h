@@ -31,7 +31,14 @@ public:
     const FrameRay& frame_ray(FrameId id);
 
     // Crossings of a class, certain in number and order.
-    void crossings(ClassId id, Crossings& out);
+    void crossings(ClassId id, Crossings& out) {
+        const Support& s = program_->classes[id];
+        if (s.kind == SupportKind::kAxisPlane && s.frame == 0 && ray_.departure == nullptr && regular_[s.axis]) {
+            axis_plane_crossing(s.p[0], root_.o[s.axis], root_.d[s.axis], slab_.inverse[s.axis], out);
+        } else {
+            curved_crossings(id, s, out);
+        }
+    }
     // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
     int compare(const Event& a, const Event& b) {
         const double d = a.t - b.t, room = a.error + b.error;
@@ -50,6 +57,7 @@ private:
     };
 
     bool leaves(ClassId id) const;
+    void curved_crossings(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
     int compare_closely(const Event& a, const Event& b);
     bool fine(const Event& e, double& high, double& low, double& error);
@@ -60,6 +68,7 @@ private:
     Ray ray_;
     FrameRay root_;
     SlabRay slab_;
+    std::array<bool, 3> regular_{};  // the direction's coordinate has a finite, normal inverse
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> frame_stamps_;
     std::vector<FrameRay> frame_rays_;

@@ -261,6 +261,60 @@ bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
     return std::isfinite(t1) && std::isfinite(t2);
 }
 
+// Balls (n = 3) and cylinders (n = 2) in a straight line: solve_quadratic specialised to a sum of squares, seen from the closest approach.
+template <std::size_t n>
+bool round_crossings(const std::array<std::size_t, n>& axes, const std::array<double, n>& centre, double r, const FrameRay& ray, Crossings& out) {
+    std::array<double, n> o, d;
+    double a = 0, along = 0, ea = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        o[i] = ray.o[axes[i]] - centre[i];
+        d[i] = ray.d[axes[i]];
+        a += d[i] * d[i];
+        along += o[i] * d[i];
+        ea += 2 * magnitude(d[i]) * ray.ed[axes[i]] + ray.ed[axes[i]] * ray.ed[axes[i]];
+    }
+    ea += 4 * u * a;
+    if (!(a > 2 * ea)) {
+        if (a != 0 || ea != 0) return false;
+    }
+    const double ia = a > 0 ? 1 / a : 0, t0 = -along * ia;
+    double b = 0, c = -(r * r), eb = 0, ec = 0, bb = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double step = t0 * d[i], p = o[i] + step;
+        const double ep = ray.eo[axes[i]] + magnitude(t0) * ray.ed[axes[i]] + 3 * u * (magnitude(o[i]) + magnitude(step));
+        const double pd = p * d[i];
+        b += pd;
+        c += p * p;
+        bb += magnitude(pd);
+        eb += magnitude(d[i]) * ep + magnitude(p) * ray.ed[axes[i]] + ep * ray.ed[axes[i]];
+        ec += (2 * magnitude(p) + ep) * ep;
+    }
+    eb += 4 * u * bb;
+    ec += 4 * u * (c + 2 * r * r);
+    if (a == 0) {
+        out.count = 0;
+        out.first_sign = c > 0 ? 1 : -1;
+        return magnitude(c) > ec;
+    }
+    out.first_sign = 1;
+    // b is rounding alone, so roots are -b/a -+ h/a without cancellation.
+    const double square = b * b, product = a * c, disc = square - product;
+    const double edisc = 2 * magnitude(b) * eb + eb * eb + a * ec + magnitude(c) * ea + ea * ec + 4 * u * (square + magnitude(product));
+    if (disc < -edisc) {
+        out.count = 0;
+        return true;
+    }
+    if (!(disc > edisc)) return false;
+    const double h = std::sqrt(disc), shift = -b * ia, half = h * ia;
+    const double spread = (eb + edisc / h + 2 * u * h + (magnitude(shift) + half) * ea) * ia * (1 + 8 * u) * 2 + 4 * u * (magnitude(shift) + half);
+    out.count = 2;
+    out.t[0] = t0 + (shift - half);
+    out.t[1] = t0 + (shift + half);
+    out.error[0] = spread + u * magnitude(out.t[0]);
+    out.error[1] = spread + u * magnitude(out.t[1]);
+    return std::isfinite(out.t[0]) && std::isfinite(out.t[1]);
+}
+
 }  // namespace
 
 FrameRay ray_in_frame(const Frame& frame, const Ray& ray) {
@@ -299,6 +353,9 @@ bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& 
         return solve_plane(f.v, f.ev, f.s, f.es, out);
     }
     if (support.kind == SupportKind::kTorus) return filtered_torus(support, ray, out);
+    if (support.kind == SupportKind::kBall) return round_crossings<3>({0, 1, 2}, {support.p[0], support.p[1], support.p[2]}, support.p[3], ray, out);
+    if (support.kind == SupportKind::kCylinder)
+        return round_crossings<2>({(support.axis + 1u) % 3, (support.axis + 2u) % 3}, {support.p[0], support.p[1]}, support.p[2], ray, out);
     double t0 = 0;
     const Quadratic q = quadratic_near(support, ray, t0);
     return solve_quadratic(q, t0, out);

@@ -29,6 +29,15 @@ struct Crossings {
     std::int8_t first_sign = 1;
 };
 
+// An axis plane met by the ray itself (no frame between): one subtraction, one product with the rounded inverse of d. Requires: inverse is finite.
+inline void axis_plane_crossing(double value, double o, double d, double inverse, Crossings& out) {
+    const double t = (value - o) * inverse;
+    out.t[0] = t;
+    out.error[0] = 4 * kUnitRoundoff * (t < 0 ? -t : t);
+    out.count = 1;
+    out.first_sign = d > 0 ? -1 : 1;
+}
+
 // False: not decidable in double.
 bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& out);
 
