@@ -193,9 +193,10 @@ public:
     Use placed(const Placement& outer, Use use);
     // `outer` around the use's own label.
     Use labelled(const Label& outer, Use use);
-    const Bounds& bounds(NodeId id) const { return solid_.bounds_[id]; }
+    Bounds bounds(NodeId id) const { return solid_.bounds_[id]; }
     Bounds bounds(const Use& use) const { return use_bounds(bounds(use.node), use, solid_.motions_[use.motion]); }
     bool is_2d(NodeId id) const { return solid_.flat_[id]; }
+    // References hold until something is added.
     const Node& node(NodeId id) const { return solid_.nodes_[id]; }
     const Label& label_of(LabelId id) const { return solid_.labels_[id]; }
     // The solid as it is now, for those who need to look at part of it; root() is the empty node.
