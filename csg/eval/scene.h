@@ -51,14 +51,15 @@ struct Matter { Material material; };
 struct LinearExtrude { double height = 100; bool center = false; double twist_deg = 0; Vec2 scale{1}; std::optional<int> slices; int convexity = 1; };
 struct RotateExtrude { double angle_deg = 360; double start_deg = 180; int convexity = 2; };
 struct Render { int convexity = 1; };
-struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; };
+struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; int convexity = 0; };
 struct Offset { double delta = 0; bool round = true; bool chamfer = false; };
-struct Projection { bool cut = false; };
+struct Projection { bool cut = false; int convexity = 0; };
 struct Part { std::string name; };
 struct Moving { Placement start, end; };
 
 // A module that is known but cannot be made into a solid yet: kept in the tree so that it can be said with its place.
-struct Unsupported { std::string name; };
+// `csg` is how a .csg file writes it, without children.
+struct Unsupported { std::string name; std::string csg; };
 
 using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
                           Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Matter, LinearExtrude, RotateExtrude, Render, Resize, Offset,

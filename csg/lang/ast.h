@@ -104,6 +104,7 @@ struct Instantiation {
     ScopeId children = kNone;   // kNone: written with ';'
     ScopeId otherwise = kNone;  // else of an if
     std::uint8_t modifiers = 0;
+    bool has_else = false;      // even `else ;`
     SourcePlace place;
 };
 

@@ -185,7 +185,8 @@ void Parser::instantiation(ScopeId scope) {
     const bool is_if = kind() == Tok::kIf;
     Instantiation inst = instantiation_head(modifiers);
     inst.children = child_scope();
-    if (is_if && take_if(Tok::kElse)) inst.otherwise = child_scope();
+    inst.has_else = is_if && take_if(Tok::kElse);
+    if (inst.has_else) inst.otherwise = child_scope();
     if (!disabled) ast_.scopes[scope].instantiations.push_back(inst);
 }
 

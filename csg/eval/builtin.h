@@ -1,0 +1,66 @@
+// builtin.h — the two tables of what the language has built in: functions and modules.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "csg/eval/scene.h"
+#include "csg/eval/value.h"
+
+namespace whittle {
+
+class Machine;
+
+// A call of a built-in function: its arguments in the author's order, names ignored.
+struct FunctionCall {
+    Machine& machine;
+    std::string_view name;
+    SourcePlace place;
+    std::span<Value> arguments;
+    std::span<const std::string_view> names;  // of the arguments, empty where positional; only dxf_* look
+
+    std::size_t count() const { return arguments.size(); }
+    const Value& operator[](std::size_t i) const { return arguments[i]; }
+};
+
+struct BuiltinFunction {
+    std::string_view name;
+    Value (*run)(FunctionCall& call);
+    std::string_view signature;
+};
+
+// A call of a built-in module: one value a parameter of its table entry, undef where not given.
+struct ModuleUse {
+    Machine& machine;
+    SourcePlace place;
+    std::span<const Value> arguments;
+
+    const Value& operator[](std::size_t i) const { return arguments[i]; }
+};
+
+struct BuiltinModule {
+    std::string_view name;
+    std::string_view positional;  // "size center": in order
+    std::string_view named;       // "r d": by name only
+    bool takes_children;
+    std::optional<scene::What> (*run)(ModuleUse& use);  // before its children are made; nothing: no node
+    std::string_view signature;
+};
+
+std::span<const BuiltinFunction> builtin_functions();
+std::span<const BuiltinModule> builtin_modules();
+
+// The modules that steer evaluation itself: for, if, children ...
+bool is_control_module(std::string_view name);
+
+// Names in "a b c".
+std::vector<std::string_view> split_names(std::string_view list);
+
+// The name among `known` that `name` most likely was meant to be, if one is near enough (Damerau-Levenshtein, a third of its length).
+std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace whittle

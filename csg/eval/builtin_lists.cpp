@@ -1,0 +1,241 @@
+// Built-in functions on lists, strings and random numbers.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "csg/eval/builtin_function_parts.h"
+#include "csg/eval/machine.h"
+
+namespace whittle {
+
+std::vector<std::string_view> code_points(std::string_view text) {
+    std::vector<std::string_view> out;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
+        out.push_back(text.substr(i, end - i));
+        i = end;
+    }
+    return out;
+}
+
+Value function_len(FunctionCall& call) {
+    if (call.count() != 1) return wrong_count(call);
+    if (call[0].is_vector()) return Value(static_cast<double>(call[0].size()));
+    if (call[0].is_string()) return Value(static_cast<double>(call[0].string_object().points));
+    return wrong_type(call);
+}
+
+Value function_str(FunctionCall& call) {
+    std::string out;
+    for (const Value& v : call.arguments) out += call.machine.bare_text_of(v);
+    return call.machine.heap().string(out);
+}
+
+namespace {
+
+void append_code_point(std::string& out, double number) {
+    if (!(number >= 1 && number < 1114112)) return;
+    const unsigned long c = static_cast<unsigned long>(number);
+    if (c >= 0xD800 && c < 0xE000) return;
+    const auto put = [&out](unsigned long byte) { out.push_back(static_cast<char>(byte)); };
+    if (c < 0x80) return put(c);
+    if (c < 0x800) {
+        put(0xC0 | (c >> 6));
+    } else {
+        if (c < 0x10000) {
+            put(0xE0 | (c >> 12));
+        } else {
+            put(0xF0 | (c >> 18));
+            put(0x80 | ((c >> 12) & 0x3F));
+        }
+        put(0x80 | ((c >> 6) & 0x3F));
+    }
+    put(0x80 | (c & 0x3F));
+}
+
+constexpr std::uint32_t kMaxCharacters = 10000;  // of a range in chr()
+
+}  // namespace
+
+Value function_chr(FunctionCall& call) {
+    std::string out;
+    for (const Value& v : call.arguments) {
+        if (v.is_number()) append_code_point(out, v.number());
+        if (v.is_vector())
+            for (std::uint32_t i = 0; i < v.size(); ++i)
+                if (v[i].is_number()) append_code_point(out, v[i].number());
+        if (!v.is_range()) continue;
+        const std::uint32_t count = range_count(v.range());
+        if (count >= kMaxCharacters) call.machine.warn({}, fmt::format("Bad range parameter in for statement: too many elements ({}).", count));
+        else
+            for (std::uint32_t i = 0; i < count; ++i) append_code_point(out, range_at(v.range(), i));
+    }
+    return call.machine.heap().string(out);
+}
+
+Value function_ord(FunctionCall& call) {
+    if (call.count() != 1) {
+        call.machine.warn(call.place, fmt::format("ord() called with {} arguments, only 1 argument expected", call.count()));
+        return {};
+    }
+    if (!call[0].is_string()) {
+        call.machine.warn(call.place, fmt::format("ord() argument {} is not of type string", call.machine.text_of(call[0])));
+        return {};
+    }
+    const std::string_view s = call[0].string();
+    if (s.empty()) return {};
+    const unsigned char lead = static_cast<unsigned char>(s[0]);
+    std::uint32_t code = lead < 0x80 ? lead : lead < 0xE0 ? lead & 0x1F : lead < 0xF0 ? lead & 0x0F : lead & 0x07;
+    for (std::size_t i = 1; i < s.size() && (static_cast<unsigned char>(s[i]) & 0xC0) == 0x80; ++i) code = (code << 6) | (static_cast<unsigned char>(s[i]) & 0x3F);
+    return Value(static_cast<double>(code));
+}
+
+Value function_concat(FunctionCall& call) {
+    std::size_t count = 0;
+    for (const Value& v : call.arguments) count += v.is_vector() ? v.size() : 1;
+    std::vector<Value> out;
+    out.reserve(count);
+    for (const Value& v : call.arguments) {
+        if (v.is_vector()) out.insert(out.end(), v.vector().data(), v.vector().data() + v.size());
+        else out.push_back(v);
+    }
+    return call.machine.heap().vector(std::move(out));
+}
+
+namespace {
+
+struct Pair { double key, value; };
+
+std::optional<Pair> number_pair(const Value& v) {
+    if (!v.is_vector() || v.size() != 2 || !v[0].is_number() || !v[1].is_number()) return std::nullopt;
+    return Pair{v[0].number(), v[1].number()};
+}
+
+}  // namespace
+
+// Between the nearest keys on either side, linearly; beyond the ends, the end's value. The table need not be sorted.
+Value function_lookup(FunctionCall& call) {
+    if (call.count() != 2) return wrong_count(call);
+    if (!call[0].is_number()) {
+        call.machine.warn(call.place, fmt::format("lookup({}, ...) first argument is not a number", call.machine.text_of(call[0])));
+        return {};
+    }
+    if (!call[1].is_vector()) return {};
+    const Value& table = call[1];
+    const double p = call[0].number();
+    if (!std::isfinite(p) || table.size() == 0) return {};
+    const std::optional<Pair> first = number_pair(table[0]);
+    if (!first) return {};
+    Pair low = *first, high = *first;
+    for (std::uint32_t i = 1; i < table.size(); ++i) {
+        const std::optional<Pair> entry = number_pair(table[i]);
+        if (!entry) continue;
+        if (entry->key <= p && (entry->key > low.key || low.key > p)) low = *entry;
+        if (entry->key >= p && (entry->key < high.key || high.key < p)) high = *entry;
+    }
+    if (p <= low.key) return Value(high.value);
+    if (p >= high.key) return Value(low.value);
+    const double f = (p - low.key) / (high.key - low.key);
+    return Value(high.value * f + low.value * (1 - f));
+}
+
+Value function_norm(FunctionCall& call) {
+    if (call.count() != 1) return wrong_count(call);
+    const Value& v = call[0];
+    double sum = 0;
+    bool good = v.is_vector();
+    for (std::uint32_t i = 0; good && i < v.size(); ++i) {
+        good = v[i].is_number();
+        if (good) sum += v[i].number() * v[i].number();
+    }
+    if (good) return Value(std::sqrt(sum));
+    if (v.is_vector()) call.machine.warn(call.place, "Incorrect arguments to norm()", signature_hint("norm"));
+    else return wrong_type(call);
+    return {};
+}
+
+Value function_cross(FunctionCall& call) {
+    const auto refuse = [&call](const char* text) {
+        call.machine.warn(call.place, text, signature_hint("cross"));
+        return Value();
+    };
+    if (call.count() != 2) return refuse("Invalid number of parameters for cross()");
+    const Value &a = call[0], &b = call[1];
+    if (!a.is_vector() || !b.is_vector()) return refuse("Invalid type of parameters for cross()");
+    const bool flat = a.size() == 2 && b.size() == 2;
+    if (!flat && (a.size() != 3 || b.size() != 3)) return refuse("Invalid vector size of parameter for cross()");
+    for (std::uint32_t i = 0; i < a.size() && !flat; ++i)
+        for (const Value* v : {&a[i], &b[i]}) {
+            if (!v->is_number()) return refuse("Invalid value in parameter vector for cross()");
+            if (std::isnan(v->number())) return refuse("Invalid value (NaN) in parameter vector for cross()");
+            if (std::isinf(v->number())) return refuse("Invalid value (INF) in parameter vector for cross()");
+        }
+    const auto n = [](const Value& v) { return v.is_number() ? v.number() : 0; };
+    if (flat) return Value(n(a[0]) * n(b[1]) - n(a[1]) * n(b[0]));
+    const double out[3] = {n(a[1]) * n(b[2]) - n(a[2]) * n(b[1]), n(a[2]) * n(b[0]) - n(a[0]) * n(b[2]), n(a[0]) * n(b[1]) - n(a[1]) * n(b[0])};
+    return call.machine.heap().numbers(out, 3);
+}
+
+namespace {
+
+// A double as 32 bits, integers below 2^31 as themselves. Source: Python's numeric hash for a modulus of 2^31-1 (Language reference, hash of numeric types).
+std::uint32_t seed_of(double number) {
+    constexpr int kBits = 31;
+    constexpr std::uint32_t kModulus = (std::uint32_t{1} << kBits) - 1;
+    if (!std::isfinite(number)) return std::isnan(number) ? 0 : number > 0 ? 314159u : static_cast<std::uint32_t>(-314159);
+    int exponent = 0;
+    double m = std::frexp(number, &exponent);
+    const bool negative = m < 0;
+    m = std::fabs(m);
+    std::uint32_t x = 0;
+    while (m != 0) {
+        x = ((x << 28) & kModulus) | (x >> (kBits - 28));
+        m *= 268435456.0;
+        exponent -= 28;
+        const std::uint32_t digit = static_cast<std::uint32_t>(m);
+        m -= digit;
+        x += digit;
+        if (x >= kModulus) x -= kModulus;
+    }
+    exponent = exponent >= 0 ? exponent % kBits : kBits - 1 - ((-1 - exponent) % kBits);
+    x = ((x << exponent) & kModulus) | (x >> (kBits - exponent));
+    const std::uint32_t hash = negative ? 0u - x : x;
+    return hash == 0xFFFFFFFFu ? 0xFFFFFFFEu : hash;
+}
+
+}  // namespace
+
+Value function_rands(FunctionCall& call) {
+    if (call.count() != 3 && call.count() != 4) return wrong_count(call);
+    for (const Value& v : call.arguments)
+        if (!v.is_number()) return wrong_type(call);
+    double low = call[0].number(), high = call[1].number(), wanted = call[2].number();
+    constexpr double kHalf = std::numeric_limits<double>::max() / 2;
+    const auto bounded = [&](double& end, const char* which, double otherwise) {
+        if (std::isfinite(end)) return;
+        call.machine.warn(call.place, fmt::format("rands() range {} cannot be infinite", which));
+        end = otherwise;
+        call.machine.warn({}, fmt::format("resetting to {:f}", end));
+    };
+    bounded(low, "min", -kHalf);
+    bounded(high, "max", kHalf);
+    if (high < low) std::swap(low, high);
+    if (!std::isfinite(wanted)) {
+        call.machine.warn(call.place, "rands() cannot create an infinite number of results");
+        call.machine.warn({}, "resetting number of results to 1");
+        wanted = 1;
+    }
+    if (call.count() == 4) call.machine.random().seed(seed_of(call[3].number()));
+    const std::size_t count = wanted > 0 ? static_cast<std::size_t>(std::min(wanted, 1e9)) : 0;
+    std::vector<Value> out;
+    for (std::size_t i = 0; i < count; ++i) {
+        call.machine.tick();
+        out.emplace_back(low >= high ? low : call.machine.random().next(low, high));
+    }
+    return call.machine.heap().vector(std::move(out));
+}
+
+}  // namespace whittle

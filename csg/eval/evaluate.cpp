@@ -1,0 +1,99 @@
+#include "csg/eval/evaluate.h"
+
+#include <new>
+
+#include "csg/eval/large_stack.h"
+#include "csg/eval/lower.h"
+#include "csg/eval/machine.h"
+#include "csg/eval/parameters.h"
+#include "csg/eval/read_program.h"
+
+namespace whittle {
+
+Result<Parsed> parse(const EvaluateInput& input, Outside& outside) {
+    std::string text;
+    if (input.text) {
+        text = *input.text;
+    } else {
+        Result<std::string> read = outside.read_text(input.path);
+        if (!read) return tl::unexpected<Error>(read.error());
+        text = std::move(*read);
+    }
+    Parsed out;
+    auto program = std::make_shared<ProgramText>();
+    bool good = false;
+    const bool ran = run_on_large_stack([&] {
+        good = ProgramReader(input, outside, out, *program).run(std::move(text));
+        if (good) set_parameters(*program->files[0], program->names, input.parameters);
+    });
+    if (!ran) return fail(Fault::kWorld, "no memory for the reader's stack");
+    if (good) out.program = std::move(program);
+    return out;
+}
+
+namespace {
+
+void empty_scene(Scene& scene) {
+    scene = Scene{};
+    SceneNode root;
+    root.what = scene::Group{"root"};
+    scene.nodes.push_back(std::move(root));
+}
+
+void run_program(const Parsed& parsed, const EvaluateInput& input, Heap& heap, Evaluated& out) {
+    // Names of built-ins join those of the text: a copy keeps the parsed program constant.
+    Names names;
+    for (NameId i = 1; i < parsed.program->names.size(); ++i) names.intern(parsed.program->names.text(i));
+    const code::Program program = lower(parsed.program->files, names, heap);
+    Machine machine(program, names, heap, input, out.diagnostics);
+    out.scene = Scene{};
+    out.stop = machine.run(out.scene);
+    heap.break_cycles();
+}
+
+}  // namespace
+
+Evaluated evaluate(Parsed parsed, const EvaluateInput& input, Outside& outside) {
+    (void)outside;
+    Evaluated out;
+    out.sources = std::move(parsed.sources);
+    out.diagnostics = std::move(parsed.diagnostics);
+    out.files_read = std::move(parsed.files_read);
+    empty_scene(out.scene);
+    if (!parsed.program) {
+        out.stop = Stop::kSyntax;
+        return out;
+    }
+    const bool ran = run_on_large_stack([&] {
+        Heap heap;
+        try {
+            run_program(parsed, input, heap, out);
+        } catch (const std::bad_alloc&) {
+            out.diagnostics.add(Severity::kError, {}, "Evaluation ran out of memory");
+            out.stop = Stop::kMemory;
+            empty_scene(out.scene);
+        }
+    });
+    if (!ran) {
+        out.diagnostics.add(Severity::kError, {}, "no memory for the evaluator's stack");
+        out.stop = Stop::kMemory;
+    }
+    return out;
+}
+
+Result<Evaluated> evaluate(const EvaluateInput& input, Outside& outside) {
+    Result<Parsed> parsed = parse(input, outside);
+    if (!parsed) return tl::unexpected<Error>(parsed.error());
+    return evaluate(std::move(*parsed), input, outside);
+}
+
+std::string echo_text(const Diagnostics& diagnostics, const SourceTable& sources) {
+    std::string out;
+    for (const Diagnostic& d : diagnostics.all()) {
+        if (d.severity == Severity::kNote) continue;
+        out += format_line(d, sources) + "\n";
+    }
+    return out;
+}
+
+}  // namespace whittle

@@ -1,0 +1,171 @@
+// machine.h — runs code: expressions to values, instantiations to scene nodes.
+//
+// Walks the resolved tree. Variables are slots; $-variables are cells with an undo trail (shallow binding), so reading one costs the same
+// however deep the calls go. What ends a run early (failed assert, endless recursion, a limit) unwinds as StopRun and never leaves run().
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/eval/code.h"
+#include "csg/eval/evaluate.h"
+#include "csg/eval/random.h"
+#include "csg/eval/value.h"
+#include "csg/lang/diagnostics.h"
+#include "csg/lang/names.h"
+
+namespace whittle {
+
+struct StopRun {
+    Stop reason;
+    int traces_left = 12;  // callers still to be named
+};
+
+// An activation of a module: where its children are to be evaluated.
+struct ModuleCall {
+    const code::Inst* inst = nullptr;
+    Frame* caller = nullptr;
+};
+
+class Machine {
+public:
+    Machine(const code::Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics);
+
+    // Runs the main file. The scene holds what was made before a stop.
+    Stop run(Scene& scene);
+
+    Heap& heap() { return heap_; }
+    const Names& names() const { return names_; }
+    RandomNumbers& random() { return random_; }
+    const std::vector<NameId>& module_names() const { return module_names_; }
+    Facets facets() const;
+    // Placement of the node being made, in the root's frame (lights need it).
+    const Placement& placement() const { return placement_; }
+    void add_light(Light light);
+    void set_camera(Camera camera);
+
+    void warn(SourcePlace place, std::string text, std::string hint = {}) { say(Severity::kWarning, place, std::move(text), std::move(hint)); }
+    void say(Severity severity, SourcePlace place, std::string text, std::string hint = {});
+    [[noreturn]] void fail(SourcePlace place, std::string text, std::string hint = {});
+    std::string text_of(const Value& value) const;
+    std::string bare_text_of(const Value& value) const;
+    // Checks limits now and then: call it in every loop of unbounded length.
+    void tick() {
+        if (++ticks_ % 1024 == 0) check_limits();
+    }
+
+private:
+    using TermId = code::TermId;
+
+    // Expressions (run_expression.cpp).
+    Value eval(TermId id, Frame* frame);
+    Value eval_slow(const code::Term& node, TermId id, Frame* frame);
+    Value eval_binary(ast::Op op, const Value& left, const Value& right, TermId id);
+    Value eval_range(const code::Term& node, TermId id, Frame* frame);
+    Value eval_member(const code::Term& node, Frame* frame);
+    Value eval_dynamic(const code::Term& node, TermId id);
+    void bind(const code::Bind& bind, Value value, Frame* frame);
+    void bind_all(std::uint32_t first, std::uint32_t count, Frame* frame);
+    void run_assert(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Frame* frame, SourcePlace place);
+    void run_echo(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Frame* frame);
+
+    // Lists (run_elements.cpp).
+    void push_elements(TermId id, Frame* frame);
+    void push_for(const code::Term& node, TermId id, std::uint32_t bind, Frame* frame);
+    void push_elements_in_frames(TermId id, Frame* frame);
+    void push_for_frames(const code::Term& term, TermId id, std::uint32_t level, Frame* frame, std::uint32_t size);
+    Frame* copy_frame(Frame* frame, std::uint32_t size);
+    void set_loop_variable(const code::Bind& variable, const Value& value, Frame* frame);
+    void push_for_c(const code::Loop& loop, TermId id, Frame* frame);
+    void push_each(const Value& value, TermId id);
+    template <class Body>
+    void for_values(const Value& values, std::uint32_t limit, SourcePlace place, Body body);
+
+    // Calls (run_call.cpp).
+    Value call_function(const code::Call& call, Frame* frame, SourcePlace place);
+    Value call_value(TermId id, Frame* frame);
+    Value run_function(std::uint32_t function, Frame* home, Frame* frame, NameId name);
+    Value call_builtin(std::uint32_t builtin, std::vector<Value>& arguments, std::vector<std::string_view>& names, SourcePlace place);
+    Frame* home_frame(const code::Home& home, Frame* frame);
+    void set_defaults(const std::vector<code::Parameter>& parameters, const code::Matched& matched, Frame* home, Frame* into);
+    void pass_arguments(const code::Matched& matched, Frame* caller, Frame* into, SourcePlace place);
+    code::Matched match_values(const std::vector<code::Argument>& arguments, const std::vector<code::Parameter>& parameters, const code::Layout& layout) const;
+    void trace(StopRun& stop, NameId name, SourcePlace place);
+
+    // $-variables.
+    void set_dynamic(std::uint32_t which, Value value);
+    std::size_t mark() const { return trail_.size(); }
+    void undo(std::size_t mark);
+
+    // Instantiations (run_statement.cpp, run_control.cpp).
+    void run_binds(const code::Scope& scope, Frame* frame);
+    void make_all(const code::Scope& scope, Frame* frame);
+    void make(code::InstId id, Frame* frame);
+    void make_kind(const code::Inst& inst, Frame* frame);
+    void make_builtin(const code::Inst& inst, Frame* frame);
+    void make_user(const code::Inst& inst, Frame* frame);
+    void make_loop(const code::Inst& inst, Frame* frame);
+    void make_loop_level(const code::Inst& inst, std::size_t level, Frame* frame);
+    void make_if(const code::Inst& inst, Frame* frame);
+    void make_let(const code::Inst& inst, Frame* frame);
+    void make_children(const code::Inst& inst, Frame* frame);
+    void make_child(const ModuleCall& call, double index, const code::Inst& inst);
+    void make_scope(code::ScopeId scope, Frame* frame);
+    void add_node(const code::Inst& inst, scene::What what, std::size_t first_child);
+    void finish(Scene& scene);
+    void read_view(Scene& scene);
+    void keep_root(Scene& scene);
+
+    void check_limits();
+
+    // Levels of the C stack that a call may take, for as long as it lives. Fails as endless recursion beyond kMaxDepth.
+    class Depth {
+    public:
+        Depth(Machine& machine, std::uint32_t levels, const char* what, NameId name, SourcePlace place) : machine_(machine), levels_(levels) {
+            if ((machine.depth_ += levels) > kMaxDepth) machine.fail_too_deep(what, name, place, levels);
+        }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+        ~Depth() { machine_.depth_ -= levels_; }
+
+    private:
+        Machine& machine_;
+        std::uint32_t levels_;
+    };
+    [[noreturn]] void fail_too_deep(const char* what, NameId name, SourcePlace place, std::uint32_t levels);
+
+    // Nested evaluations; each takes at most 2 KB of kLargeStackBytes, even in a build with sanitizers.
+    static constexpr std::uint32_t kMaxDepth = 400000;
+    static constexpr std::uint32_t kMaxIterations = 1000000;  // of a C-style for, of a tail call
+
+    static constexpr std::uint32_t kMaxModuleIterations = 10000;  // of a range in a for of modules
+    static constexpr std::size_t kMaxModuleParameters = 24;
+
+    // A node marked with `!`, and the lights made under it.
+    struct Root { SceneNodeId node; SourcePlace place; std::size_t first_light, end_light; };
+
+    const code::Program& program_;
+    const Names& names_;
+    Heap& heap_;
+    const EvaluateInput& input_;
+    Diagnostics& diagnostics_;
+    RandomNumbers random_;
+    std::vector<Value> cells_;                              // $-variables
+    std::vector<std::pair<std::uint32_t, Value>> trail_;    // what they were
+    std::vector<Value> stack_;                              // elements of lists being made
+    std::vector<SceneNodeId> pending_;                      // children of nodes being made
+    std::vector<Root> roots_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, code::Matched> matches_;  // of a value call with a function it met
+    std::vector<NameId> module_names_;
+    std::vector<std::string> recent_;                       // last messages
+    Placement placement_;
+    Scene* scene_ = nullptr;
+    std::uint32_t depth_ = 0;
+    std::uint64_t ticks_ = 0;
+    std::chrono::steady_clock::time_point deadline_{};
+};
+
+}  // namespace whittle

@@ -1,0 +1,15 @@
+// nearest.h — "did you mean": the known name that an unknown one most likely was meant to be.
+#pragma once
+
+#include <string>
+
+#include "csg/eval/code.h"
+
+namespace whittle {
+
+// Hints for a message, or empty where no name is near.
+std::string hint_for_variable(const code::Program& program, const Names& names, NameId name);
+std::string hint_for_function(const code::Program& program, const Names& names, NameId name);
+std::string hint_for_module(const code::Program& program, const Names& names, NameId name);
+
+}  // namespace whittle

@@ -1,0 +1,250 @@
+#include "csg/eval/value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace whittle {
+
+const char* type_name(Type type) {
+    switch (type) {
+        case Type::kUnset:
+        case Type::kUndef: return "undefined";
+        case Type::kBool: return "bool";
+        case Type::kNumber: return "number";
+        case Type::kString: return "string";
+        case Type::kVector: return "vector";
+        case Type::kRange: return "range";
+        case Type::kFunction: return "function";
+    }
+    return "";
+}
+
+bool Value::truth() const {
+    switch (type_) {
+        case Type::kUnset:
+        case Type::kUndef: return false;
+        case Type::kBool:
+        case Type::kNumber: return number_ != 0;
+        case Type::kString: return string_object().bytes > 0;
+        case Type::kVector: return vector().size > 0;
+        case Type::kRange:
+        case Type::kFunction: return true;
+    }
+    return false;
+}
+
+void* Heap::allocate(std::size_t bytes) {
+    bytes_ += bytes;
+    const std::size_t index = (bytes + kStep - 1) / kStep;
+    if (index >= kClasses) {
+        void* block = std::malloc(bytes);
+        if (!block) throw std::bad_alloc();
+        return block;
+    }
+    if (FreeBlock* block = free_[index]) {
+        free_[index] = block->next;
+        return block;
+    }
+    const std::size_t rounded = index * kStep;
+    if (slab_left_ < rounded) {
+        constexpr std::size_t kSlab = 64 * 1024;
+        slabs_.push_back(std::malloc(kSlab));
+        if (!slabs_.back()) throw std::bad_alloc();
+        slab_ = static_cast<char*>(slabs_.back());
+        slab_left_ = kSlab;
+    }
+    char* block = slab_;
+    slab_ += rounded;
+    slab_left_ -= rounded;
+    return block;
+}
+
+void Heap::free(void* block, std::size_t bytes) {
+    bytes_ -= bytes;
+    const std::size_t index = (bytes + kStep - 1) / kStep;
+    if (index >= kClasses) return std::free(block);
+    free_[index] = new (block) FreeBlock{free_[index]};
+}
+
+Heap::~Heap() {
+    for (void* slab : slabs_) std::free(slab);
+}
+
+namespace {
+
+std::size_t bytes_of(const Object& object) {
+    switch (object.type) {
+        case Type::kString: return sizeof(StringObject) + static_cast<const StringObject&>(object).bytes;
+        case Type::kVector: return sizeof(VectorObject) + sizeof(Value) * static_cast<const VectorObject&>(object).size;
+        case Type::kRange: return sizeof(RangeObject);
+        default: return sizeof(FunctionObject);
+    }
+}
+
+template <class T>
+T* make(Heap& heap, Type type, std::size_t extra = 0) {
+    T* object = new (heap.allocate(sizeof(T) + extra)) T;
+    object->type = type;
+    object->heap = &heap;
+    return object;
+}
+
+}  // namespace
+
+Value Heap::string(std::string_view text) {
+    StringObject* s = make<StringObject>(*this, Type::kString, text.size());
+    s->bytes = static_cast<std::uint32_t>(text.size());
+    std::memcpy(s->data(), text.data(), text.size());
+    for (char c : text) s->points += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    return Value(s);
+}
+
+Value Heap::range(double begin, double step, double end) {
+    RangeObject* r = make<RangeObject>(*this, Type::kRange);
+    r->begin = begin;
+    r->step = step;
+    r->end = end;
+    return Value(r);
+}
+
+Value Heap::vector(Value* first, std::size_t count) {
+    VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
+    v->size = static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (first[i].is_vector()) v->nesting = std::max(v->nesting, first[i].vector().nesting + 1);
+        new (v->data() + i) Value(std::move(first[i]));
+    }
+    return Value(v);
+}
+
+Value Heap::numbers(const double* first, std::size_t count) {
+    VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
+    v->size = static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) new (v->data() + i) Value(first[i]);
+    return Value(v);
+}
+
+Value Heap::function(std::uint32_t code, Frame* frame) {
+    FunctionObject* f = make<FunctionObject>(*this, Type::kFunction);
+    f->code = code;
+    f->frame = frame;
+    retain(frame);
+    f->next = functions_;
+    if (functions_) functions_->previous = f;
+    functions_ = f;
+    return Value(f);
+}
+
+void Heap::forget(FunctionObject& f) {
+    (f.previous ? f.previous->next : functions_) = f.next;
+    if (f.next) f.next->previous = f.previous;
+}
+
+Frame* Heap::frame(std::uint32_t slots, Frame* parent) {
+    Frame* f = new (allocate(sizeof(Frame) + slots * sizeof(Value))) Frame;
+    f->size = slots;
+    f->parent = parent;
+    f->heap = this;
+    retain(parent);
+    for (std::uint32_t i = 0; i < slots; ++i) new (f->slots() + i) Value(Value::unset());
+    return f;
+}
+
+namespace {
+
+// Frees everything that only the given object or frame kept alive. Iterative: parts whose last reference goes join the list.
+class Releaser {
+public:
+    void run(Object* start) {
+        objects_.push_back(start);
+        while (!objects_.empty() || !frames_.empty()) {
+            if (!objects_.empty()) {
+                Object* object = objects_.back();
+                objects_.pop_back();
+                open(*object);
+                object->heap->free(object, bytes_of(*object));
+            } else {
+                Frame* frame = frames_.back();
+                frames_.pop_back();
+                for (std::uint32_t i = 0; i < frame->size; ++i) drop(frame->slots()[i]);
+                drop(frame->parent);
+                frame->heap->free(frame, sizeof(Frame) + frame->size * sizeof(Value));
+            }
+        }
+    }
+
+private:
+    void open(Object& object) {
+        if (object.type == Type::kVector) {
+            VectorObject& v = static_cast<VectorObject&>(object);
+            for (std::uint32_t i = 0; i < v.size; ++i) drop(v.data()[i]);
+        } else if (object.type == Type::kFunction) {
+            FunctionObject& f = static_cast<FunctionObject&>(object);
+            f.heap->forget(f);
+            drop(f.frame);
+        }
+    }
+    void drop(const Value& value) {
+        if (value.is_object() && --value.object()->refs == 0) objects_.push_back(value.object());
+    }
+    void drop(Frame* frame) {
+        if (frame && --frame->refs == 0) frames_.push_back(frame);
+    }
+    std::vector<Object*> objects_;
+    std::vector<Frame*> frames_;
+};
+
+// Has it parts that could die with it?
+bool is_flat(Object& object) {
+    if (object.type != Type::kVector) return object.type != Type::kFunction;
+    VectorObject& v = static_cast<VectorObject&>(object);
+    for (std::uint32_t i = 0; i < v.size; ++i)
+        if (v.data()[i].is_object()) return false;
+    return true;
+}
+
+}  // namespace
+
+void release_object(Object* object) {
+    if (is_flat(*object)) return object->heap->free(object, bytes_of(*object));
+    Releaser().run(object);
+}
+
+void release_frame(Frame* frame) {
+    while (frame) {
+        for (std::uint32_t i = 0; i < frame->size; ++i) {
+            const Value& value = frame->slots()[i];
+            if (value.is_object() && --value.object()->refs == 0) release_object(value.object());
+        }
+        Frame* parent = frame->parent;
+        frame->heap->free(frame, sizeof(Frame) + frame->size * sizeof(Value));
+        frame = parent && --parent->refs == 0 ? parent : nullptr;
+    }
+}
+
+void Heap::break_cycles() {
+    std::vector<Frame*> frames;
+    for (FunctionObject* f = functions_; f; f = f->next)
+        for (Frame* frame = f->frame; frame; frame = frame->parent) {
+            frames.push_back(frame);
+            retain(frame);
+        }
+    for (Frame* frame : frames)
+        for (std::uint32_t i = 0; i < frame->size; ++i) frame->slots()[i] = Value::unset();
+    for (Frame* frame : frames) release(frame);
+}
+
+std::uint32_t range_count(const RangeObject& range) {
+    constexpr std::uint32_t kEndless = std::numeric_limits<std::uint32_t>::max();
+    if (std::isnan(range.begin) || std::isnan(range.end) || std::isnan(range.step)) return 0;
+    if (range.step < 0 ? range.begin < range.end : range.begin > range.end) return 0;
+    if (range.begin == range.end || std::isinf(range.step)) return 1;
+    if (std::isinf(range.begin) || std::isinf(range.end) || range.step == 0) return kEndless;
+    const double steps = std::nextafter((range.end - range.begin) / range.step, std::numeric_limits<double>::infinity());
+    return steps >= kEndless ? kEndless : static_cast<std::uint32_t>(std::floor(steps)) + 1;
+}
+
+}  // namespace whittle

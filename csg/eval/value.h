@@ -1,0 +1,216 @@
+// value.h — what an expression of the language evaluates to: 16 bytes, numbers in place, the rest counted references.
+//
+// One thread owns a Heap and every value made on it; counts are plain integers. Releasing a value walks its parts with a work list, not by
+// recursion, so that a list nested a million deep goes away quietly.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace whittle {
+
+class Heap;
+struct Frame;
+class Value;
+
+enum class Type : std::uint8_t { kUnset, kUndef, kBool, kNumber, kString, kVector, kRange, kFunction };
+
+// Name of a type as messages call it.
+const char* type_name(Type type);
+
+struct Object {
+    std::uint32_t refs = 1;
+    Type type;
+    Heap* heap;
+};
+
+// UTF-8 bytes follow the header. `points` counts code points; bytes == points means ASCII, where indexing needs no walk.
+struct StringObject : Object {
+    std::uint32_t bytes = 0, points = 0;
+    const char* data() const { return reinterpret_cast<const char*>(this + 1); }
+    char* data() { return reinterpret_cast<char*>(this + 1); }
+    std::string_view view() const { return {data(), bytes}; }
+};
+
+// `size` values follow the header. `nesting` is one more than the deepest element's.
+struct VectorObject : Object {
+    std::uint32_t size = 0, nesting = 1;
+    inline const Value* data() const;
+    inline Value* data();
+};
+
+struct RangeObject : Object {
+    double begin = 0, step = 1, end = 0;
+};
+
+// A function literal with the frame it was made in.
+struct FunctionObject : Object {
+    std::uint32_t code = 0;  // index of the function in the program's code
+    Frame* frame = nullptr;
+    FunctionObject* previous = nullptr;  // list of the living, for Heap::break_cycles
+    FunctionObject* next = nullptr;
+};
+
+void release_object(Object* object);
+
+class Value {
+public:
+    Value() : type_(Type::kUndef) { number_ = 0; }
+    explicit Value(double number) : type_(Type::kNumber) { number_ = number; }
+    explicit Value(bool truth) : type_(Type::kBool) { number_ = truth ? 1 : 0; }
+    // Takes over the reference.
+    explicit Value(Object* object) : type_(object->type) { object_ = object; }
+    Value(const Value& o) : type_(o.type_), bits_(o.bits_) { retain(); }
+    Value(Value&& o) noexcept : type_(o.type_), bits_(o.bits_) { o.type_ = Type::kUndef; }
+    Value& operator=(const Value& o) {
+        if (this != &o) {
+            Value copy(o);
+            swap(copy);
+        }
+        return *this;
+    }
+    Value& operator=(Value&& o) noexcept {
+        swap(o);
+        return *this;
+    }
+    ~Value() {
+        if (is_object() && --object_->refs == 0) release_object(object_);
+    }
+    void swap(Value& o) noexcept {
+        std::swap(type_, o.type_);
+        std::swap(bits_, o.bits_);
+    }
+    static Value unset() {
+        Value v;
+        v.type_ = Type::kUnset;
+        return v;
+    }
+
+    Type type() const { return type_; }
+    bool is_unset() const { return type_ == Type::kUnset; }
+    bool is_undef() const { return type_ <= Type::kUndef; }
+    bool is_number() const { return type_ == Type::kNumber; }
+    bool is_bool() const { return type_ == Type::kBool; }
+    bool is_string() const { return type_ == Type::kString; }
+    bool is_vector() const { return type_ == Type::kVector; }
+    bool is_range() const { return type_ == Type::kRange; }
+    bool is_function() const { return type_ == Type::kFunction; }
+    bool is_object() const { return type_ >= Type::kString; }
+
+    double number() const { return number_; }
+    bool boolean() const { return number_ != 0; }
+    std::string_view string() const { return static_cast<const StringObject*>(object_)->view(); }
+    const StringObject& string_object() const { return *static_cast<const StringObject*>(object_); }
+    const VectorObject& vector() const { return *static_cast<const VectorObject*>(object_); }
+    const RangeObject& range() const { return *static_cast<const RangeObject*>(object_); }
+    const FunctionObject& function() const { return *static_cast<const FunctionObject*>(object_); }
+    Object* object() const { return object_; }
+    inline std::uint32_t size() const;                  // of a vector
+    inline const Value& operator[](std::size_t) const;  // of a vector
+
+    bool truth() const;
+
+private:
+    friend void release_object(Object* object);
+    void retain() {
+        if (is_object()) ++object_->refs;
+    }
+    Type type_;
+    union {
+        double number_;
+        Object* object_;
+        std::uint64_t bits_;
+    };
+};
+static_assert(sizeof(Value) == 16);
+
+const Value* VectorObject::data() const { return reinterpret_cast<const Value*>(this + 1); }
+Value* VectorObject::data() { return reinterpret_cast<Value*>(this + 1); }
+std::uint32_t Value::size() const { return vector().size; }
+const Value& Value::operator[](std::size_t i) const { return vector().data()[i]; }
+
+// Makes objects and counts their bytes. Small blocks are kept for reuse. All values made on it must be gone before it goes.
+class Heap {
+public:
+    Heap() = default;
+    Heap(const Heap&) = delete;
+    Heap& operator=(const Heap&) = delete;
+    ~Heap();
+
+    Value string(std::string_view text);
+    Value range(double begin, double step, double end);
+    // A vector of the given values, moved from.
+    Value vector(Value* first, std::size_t count);
+    Value vector(std::vector<Value> values) { return vector(values.data(), values.size()); }
+    // `count` numbers.
+    Value numbers(const double* first, std::size_t count);
+    Value function(std::uint32_t code, Frame* frame);
+    Frame* frame(std::uint32_t slots, Frame* parent);
+
+    std::uint64_t bytes() const { return bytes_; }
+    void* allocate(std::size_t bytes);
+    void free(void* block, std::size_t bytes);
+
+    void forget(FunctionObject& function);
+    // Empties the frames that living functions hold: a function that a variable of its own frame names would never go otherwise.
+    void break_cycles();
+
+private:
+    static constexpr std::size_t kStep = 16, kClasses = 33;  // blocks up to 512 bytes are pooled
+    struct FreeBlock { FreeBlock* next; };
+    std::uint64_t bytes_ = 0;
+    FreeBlock* free_[kClasses] = {};
+    std::vector<void*> slabs_;
+    FunctionObject* functions_ = nullptr;
+    char* slab_ = nullptr;
+    std::size_t slab_left_ = 0;
+};
+
+struct ModuleCall;
+
+// One activation of a file, module, function or capturing scope: its variables. Counted, since function values keep frames alive.
+struct Frame {
+    std::uint32_t refs = 1;
+    std::uint32_t size = 0;
+    Frame* parent = nullptr;
+    Heap* heap = nullptr;
+    ModuleCall* call = nullptr;  // of a module's frame
+    Value* slots() { return reinterpret_cast<Value*>(this + 1); }
+};
+
+inline void retain(Frame* frame) {
+    if (frame) ++frame->refs;
+}
+void release_frame(Frame* frame);
+inline void release(Frame* frame) {
+    if (frame && --frame->refs == 0) release_frame(frame);
+}
+
+// Holds one reference to a frame.
+class FrameRef {
+public:
+    explicit FrameRef(Frame* frame) : frame_(frame) {}
+    FrameRef(const FrameRef&) = delete;
+    FrameRef& operator=(const FrameRef&) = delete;
+    ~FrameRef() { release(frame_); }
+    Frame* get() const { return frame_; }
+    void reset(Frame* frame) {
+        release(frame_);
+        frame_ = frame;
+    }
+
+private:
+    Frame* frame_;
+};
+
+// Number of elements of a range: 0 in the wrong direction or for nan, 2^32-1 when endless.
+std::uint32_t range_count(const RangeObject& range);
+inline double range_at(const RangeObject& range, std::uint32_t index) { return range.begin + range.step * index; }
+
+// Lists are compared and printed by recursion; deeper ones are refused when made.
+inline constexpr std::uint32_t kMaxValueNesting = 20000;
+
+}  // namespace whittle

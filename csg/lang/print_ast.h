@@ -1,0 +1,14 @@
+// print_ast.h — an expression back as text, as OpenSCAD prints function values and the condition of a failed assert.
+#pragma once
+
+#include <string>
+
+#include "csg/lang/ast.h"
+#include "csg/lang/names.h"
+
+namespace whittle {
+
+// Every operation of two or three operands in parentheses; numbers to six digits by `number`.
+void print_expression(std::string& out, const ast::Ast& tree, ast::ExprId id, const Names& names, void (*number)(std::string&, double));
+
+}  // namespace whittle
