@@ -97,7 +97,7 @@ struct Canonicaliser::Visit {
     Made operator()(const scene::Resize& what) { return c.resized(id, what); }
     Made operator()(const scene::LinearExtrude& what) { return c.extruded(id, what); }
     Made operator()(const scene::RotateExtrude& what) { return c.revolved(id, what); }
-    Made operator()(const scene::Offset&) { return c.left_out(node.place, "offset() is not supported yet, left out"); }
+    Made operator()(const scene::Offset& what) { return c.offset(id, what); }
     Made operator()(const scene::Projection&) { return c.left_out(node.place, "projection() is not supported yet, left out"); }
     Made operator()(const scene::Unsupported& what) { return c.left_out(node.place, what.name + "() is not supported yet, left out"); }
     Made operator()(const auto& what) { return c.primitive(node, what); }

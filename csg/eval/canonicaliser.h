@@ -72,6 +72,11 @@ private:
     double radius_of(const SceneNode& node, const Use& profile);
     NodeId node_of(const Use& use);
 
+    // 2D offset (canonicalise_offset.cpp).
+    Made offset(SceneNodeId id, const scene::Offset& what);
+    std::optional<Use> grown(const Use& flat, double delta);
+    Use grown_outline(const Use& flat, double delta);
+
     // 0 where the true curve is meant, else the number of facets of a circle of radius r.
     int facets_of_circle(const SceneNode& node, double r);
     Resolution resolution(const SceneNode& node) const { return {node.facets.fn, node.facets.fa, node.facets.fs}; }

@@ -6,6 +6,8 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "csg/base/degrees.h"
+
 namespace whittle {
 namespace {
 
@@ -19,6 +21,11 @@ constexpr int kFewestChords = 8;
 constexpr int kMostChords = 1 << 16;
 constexpr double kPi = 3.14159265358979323846;
 
+// OpenSCAD's limit on how far a mitered corner may reach, in deltas.
+constexpr double kMiterLimit = 1e6;
+
+double scale_for(double size) { return std::isfinite(size) ? std::ldexp(1.0, kGridBits - (size > 0 ? std::ilogb(size) : 0)) : 0; }
+
 int chords_of_circle(double r, double tolerance) {
     if (!(tolerance < r)) return kFewestChords;
     const double n = std::ceil(kPi / std::acos(1 - tolerance / r));
@@ -31,8 +38,7 @@ double stretch(const Placement& a) { return std::sqrt(a.m[0] * a.m[0] + a.m[1] *
 class Clipping {
 public:
     Clipping(const Solid& solid, NodeId root, double tolerance) : solid_(solid), tolerance_(tolerance) {
-        const double size = size_of(root, {});
-        scale_ = std::isfinite(size) ? std::ldexp(1.0, kGridBits - (size > 0 ? std::ilogb(size) : 0)) : 0;
+        scale_ = scale_for(size_of(root, {}));
     }
 
     Paths of_node(NodeId node, const Placement& placement) {
@@ -133,6 +139,31 @@ Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
     Clipping clipping(solid, node, tolerance);
     if (!clipping.is_finite()) return {};
     return clipping.contours(clipping.of_node(node, {}));
+}
+
+Contours offset_contours(const Contours& contours, double delta, Join join, int fragments) {
+    double size = std::fabs(delta);
+    for (const auto& contour : contours)
+        for (const Vec2& p : contour) size = std::max({size, std::fabs(p.x), std::fabs(p.y)});
+    const double scale = scale_for(size);
+    if (!(scale > 0) || !std::isfinite(scale)) return {};
+    Paths paths;
+    for (const auto& contour : contours) {
+        Path& path = paths.emplace_back();
+        for (const Vec2& p : contour) path.emplace_back(std::llround(p.x * scale), std::llround(p.y * scale));
+    }
+    const double arc_tolerance = std::fabs(delta) * (1 - cosd(180.0 / std::max(3, fragments)));
+    ClipperLib::ClipperOffset offset(kMiterLimit, arc_tolerance * scale);
+    const ClipperLib::JoinType type = join == Join::kRound ? ClipperLib::jtRound : join == Join::kMiter ? ClipperLib::jtMiter : ClipperLib::jtSquare;
+    offset.AddPaths(paths, type, ClipperLib::etClosedPolygon);
+    Paths result;
+    offset.Execute(result, delta * scale);
+    Contours out;
+    for (const Path& path : result) {
+        auto& contour = out.emplace_back();
+        for (const IntPoint& p : path) contour.emplace_back(static_cast<double>(p.X) / scale, static_cast<double>(p.Y) / scale);
+    }
+    return out;
 }
 
 }  // namespace whittle

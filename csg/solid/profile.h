@@ -16,4 +16,10 @@ inline constexpr double kProfileTolerance = 0x1p-14;
 // Requires: is_2d(node), tolerance > 0.
 Contours contours_of(const Solid& solid, NodeId node, double tolerance);
 
+enum class Join { kRound, kMiter, kSquare };
+
+// The set of the contours grown by delta (shrunk where negative), on the same kind of grid. Round corners become chords of a circle cut into
+// `fragments`, as OpenSCAD cuts them.
+Contours offset_contours(const Contours& contours, double delta, Join join, int fragments);
+
 }  // namespace whittle

@@ -272,7 +272,9 @@ TEST_CASE("an open polyhedron says how many edges are open") {
 
 TEST_CASE("what is not there yet is said at its place and left out") {
     Author a;
-    const Canonical c = a.canonical({a.add(kCube), a.add(scene::Hull{}, {a.add(scene::Sphere{99})}), a.add(scene::Unsupported{"text"})});
+    scene::Unsupported text;
+    text.name = "text";
+    const Canonical c = a.canonical({a.add(kCube), a.add(scene::Hull{}, {a.add(scene::Sphere{99})}), a.add(text)});
     CHECK(c.something_left_out);
     CHECK(c.solid.root_bounds() == Bounds{Vec3(0), Vec3(10)});
     CHECK(a.said("hull() is not supported yet, left out"));
@@ -305,4 +307,22 @@ TEST_CASE("a scene a hundred thousand levels deep becomes a solid") {
     for (int i = 0; i < 100000; ++i) inner = a.add(scene::Difference{}, {a.add(scene::Transform{turned}, {inner}), a.add(scene::Sphere{1})});
     const Canonical c = a.canonical({inner});
     CHECK(c.solid.node_count() > 100000);
+}
+
+TEST_CASE("growing a square rounds its corners with true arcs, shrinking takes strips away") {
+    Author a;
+    const auto grown = [&](double delta, bool round) { return a.canonical({a.add(scene::Offset{delta, round, false}, {a.add(scene::Square{{4, 2}, false})})}); };
+    const Canonical larger = grown(1, true);
+    REQUIRE(larger.is_2d);
+    CHECK(larger.solid.root_bounds() == Bounds{{-1, -1, 0}, {5, 3, 0}});
+    CHECK(root_as<Combination>(larger).operands.size() == 1 + 4 + 4);
+    const Canonical smaller = grown(-0.5, true);
+    CHECK(root_as<Combination>(smaller).op == SetOp::kDifference);
+    CHECK(root_as<Combination>(smaller).operands.size() == 1 + 4);
+    const Canonical mitered = grown(1, false);
+    CHECK(root_shape<shape::Polygon>(mitered).contours->at(0).size() == 4);
+    CHECK(mitered.solid.root_bounds() == Bounds{{-1, -1, 0}, {5, 3, 0}});
+    CHECK(is_empty(grown(-1.5, false)));
+    CHECK(root_shape<shape::Disc>(a.canonical({a.add(scene::Offset{2, true, false}, {a.add(scene::Circle{3})})})) == shape::Disc{5});
+    CHECK(a.diagnostics.all().empty());
 }
