@@ -226,6 +226,12 @@ Quadratic quadratic_near(const Support& s, const FrameRay& ray, double& t0) {
     }
 }
 
+// Bound of sqrt(disc)'s error: 1 - sqrt(1 - r) <= r (1 + r) / 2 for r in [0, 1]. Requires: the error is less than h squared.
+double root_error(double error, double h) {
+    const double inverse = 1 / h, share = error * inverse;
+    return 0.5 * share * (1 + share * inverse) * (1 + 8 * u) + u * h;
+}
+
 // Two crossings at t0 + s, s the roots of the quadratic; or none; false where a sign is not certain.
 bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
     if (!(magnitude(q.a) > q.ea)) {
@@ -243,7 +249,7 @@ bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
         return true;
     }
     if (!(disc > edisc)) return false;
-    const double h = std::sqrt(disc), eh = edisc / h + u * h;
+    const double h = std::sqrt(disc), eh = root_error(edisc, h);
     const double m = -(q.b + std::copysign(h, q.b)), em = q.eb + eh + u * magnitude(m);
     const double r1 = m / q.a, r2 = q.c / m;
     const double e1 = (em + magnitude(r1) * q.ea) / (magnitude(q.a) - q.ea) + u * magnitude(r1);
@@ -306,7 +312,8 @@ bool round_crossings(const std::array<std::size_t, n>& axes, const std::array<do
     }
     if (!(disc > edisc)) return false;
     const double h = std::sqrt(disc), shift = -b * ia, half = h * ia;
-    const double spread = (eb + edisc / h + 2 * u * h + (magnitude(shift) + half) * ea) * ia * (1 + 8 * u) * 2 + 4 * u * (magnitude(shift) + half);
+    // 1 / (a - ea) <= (1 + 2 ea / a) / a, as a > 2 ea.
+    const double spread = (eb + root_error(edisc, h) + (magnitude(shift) + half) * ea) * ia * (1 + 2 * ea * ia + 8 * u) + 3 * u * (magnitude(shift) + half);
     out.count = 2;
     out.t[0] = t0 + (shift - half);
     out.t[1] = t0 + (shift + half);
