@@ -61,7 +61,8 @@ struct RenderScene {
     std::vector<Light> lights;
     std::optional<Camera> camera;
     ViewVariables view;
-    CameraSpec camera_spec;  // the command line's --camera, --viewall ...
+    CameraSpec camera_spec;         // the command line's --camera, --viewall ...
+    const Solid* solid = nullptr;   // what the program was compiled from; without it overlapping clear matters are not told apart. Read in prepare() only
 };
 
 struct RenderProgress {

@@ -31,17 +31,18 @@ Result<void> check(const RenderOptions& o) {
     return {};
 }
 
-StageNeeds needs_of(const std::vector<Surface>& surfaces, const std::vector<LightSource>& lights, const Lens& lens, const RenderOptions& options) {
+StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, const Lens& lens, const RenderOptions& options) {
     StageNeeds n;
     n.shadows = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.casts_shadow; });
     n.soft_lights = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.extended(); });
     n.lens = lens.aperture > 0;
     n.see_through = listed(options.disabled_passes, "media");
-    for (const Surface& s : surfaces) {
-        n.see_through = n.see_through || s.see_through();
-        n.mirrors = n.mirrors || s.mirrors();
-        n.glossy = n.glossy || ((s.metal > 0 || s.clear()) && !s.sharp());
-    }
+    for (std::size_t part = 0; part < world.part_count(); ++part)
+        for (const Surface& s : world.surfaces(part)) {
+            n.see_through = n.see_through || s.see_through();
+            n.mirrors = n.mirrors || s.mirrors();
+            n.glossy = n.glossy || ((s.metal > 0 || s.clear()) && !s.sharp());
+        }
     return n;
 }
 
@@ -93,7 +94,10 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     if (!lens) return tl::unexpected<Error>(lens.error());
     Result<std::vector<Surface>> surfaces = resolve_surfaces(leaf_uses(*program));
     if (!surfaces) return tl::unexpected<Error>(surfaces.error());
+    Result<World> world = World::make(program, scene.solid);
+    if (!world) return tl::unexpected<Error>(world.error());
     auto stage = std::make_shared<Stage>();
+    stage->world = std::move(*world);
     stage->options = options;
     stage->lens = *lens;
     stage->surfaces = std::move(*surfaces);
@@ -104,7 +108,7 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     } else {
         add_lights(scene, centre_of(bounds), *stage);
     }
-    stage->needs = needs_of(stage->surfaces, stage->lights, *lens, options);
+    stage->needs = needs_of(stage->world, stage->lights, *lens, options);
     stage->integrator = options.integrator == Integrator::kAuto ? cheapest(stage->needs, studio) : options.integrator;
     if (stage->integrator > Integrator::kDistributed)
         return fail(Fault::kCommand, fmt::format("--integrator {} is not there yet; there are preview, whitted, distributed", integrator_name(stage->integrator)));

@@ -9,6 +9,7 @@
 #include "tracer/light/render.h"
 #include "tracer/light/surface.h"
 #include "tracer/light/surroundings.h"
+#include "tracer/light/world.h"
 
 namespace whittle {
 
@@ -27,7 +28,8 @@ public:
     std::shared_ptr<const Program> program;
     RenderOptions options;
     Integrator integrator = Integrator::kWhitted;
-    std::vector<Surface> surfaces;  // by leaf use
+    World world;
+    std::vector<Surface> surfaces;  // by leaf use of the whole program, for planes
     std::vector<LightSource> lights;
     Surroundings surroundings;
     Lens lens;

@@ -4,6 +4,7 @@
 #include <sleef.h>
 
 #include "tracer/image/tone.h"
+#include "tracer/light/direct.h"
 #include "tracer/light/planes.h"
 #include "tracer/light/tracer.h"
 
@@ -19,7 +20,7 @@ struct TileWork {
     Spans spans;
 };
 
-Tracer::Light xray_light(TileWork& work, const Ray& ray) {
+CameraLight xray_light(TileWork& work, const Ray& ray) {
     const double thickness = thickness_along(work.stage, ray, work.scratch, work.spans);
     const double share = Sleef_cinz_expd1_u10purec(-thickness / work.stage.thickness_scale);
     return {Vec3(0.02, 0.05, 0.10) + share * Vec3(0.90, 0.90, 0.86), thickness > 0 ? 1.0 : 0.0};
@@ -27,7 +28,7 @@ Tracer::Light xray_light(TileWork& work, const Ray& ray) {
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void add_sample(const Tracer::Light& light, double weight, PixelSums& sums) {
+void add_sample(const CameraLight& light, double weight, PixelSums& sums) {
     // What is no number is no light: one such sample must not blacken or blow up a pixel.
     const Vec3 radiance = finite(light.radiance) ? light.radiance : Vec3(0);
     const double bright = luminance(radiance);
@@ -51,7 +52,7 @@ void draw_sample(TileWork& work, int x, int y, int index, PixelSums& sums) {
         const double half = stage.options.height / 2.0;
         ray = camera_ray(stage.lens, (px - stage.options.width / 2.0) / half, (half - py) / half, sampler.pair(Draw::kLens));
     }
-    const Tracer::Light light =
+    const CameraLight light =
         stage.options.look == Look::kXray ? xray_light(work, ray) : work.tracer.camera_light(ray, picture_height(stage, py), sampler);
     add_sample(light, place.weight, sums);
 }

@@ -2,9 +2,6 @@
 
 #include <limits>
 
-#include "tracer/image/tone.h"
-#include "tracer/light/scattering.h"
-
 namespace whittle {
 
 namespace {
@@ -17,233 +14,128 @@ constexpr double kLeastWeight = 1.0 / 512;
 // Covers one behind the other that a ray goes through before it is called opaque.
 constexpr int kMostCovers = 64;
 
-double largest(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
-
-Vec3 absorbed(Vec3 per_mm, double length) {
-    if (per_mm == Vec3(0)) return Vec3(1);
-    const auto share = [&](double a) { return a > 0 ? Sleef_cinz_expd1_u10purec(-a * length) : 1.0; };
-    return {share(per_mm.x), share(per_mm.y), share(per_mm.z)};
-}
-
-// The dielectric's highlight keeps a colourless share, a metal's takes the colour.
-Vec3 normal_reflectance(const Surface& s) { return glm::mix(Vec3(s.dielectric_f0), s.color, s.metal); }
-
 }  // namespace
 
-Tracer::Light Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler) {
+CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler) {
     sampler_ = &sampler;
     ++counters_.camera;
-    Hit hit;
-    const bool met = first_hit(*stage_.program, ray, kInfinity, scratch_, hit);
+    Border border;
+    const bool met = stage_.world.next(ray, nullptr, kInfinity, scratch_, border);
     LightMet lamp;
-    const bool lamp_first = stage_.needs.soft_lights && meet_lights(stage_.lights, ray.origin, ray.direction, met ? hit.end.t : kInfinity, lamp) &&
-                            !stage_.surroundings.is_studio();
-    if (lamp_first) return {lamp.radiance, 1};
-    if (met) return {shade(ray, hit, Branch{}), 1};
+    if (direct_.lamp_seen(ray, met ? border.t : kInfinity, lamp)) return {lamp.radiance, 1};
+    if (met) return {shade(ray, border, Branch{}), 1};
     return {stage_.surroundings.backdrop(ray.direction, height), 0};
 }
 
-// Where nothing is met.
-Vec3 Tracer::beyond(const Ray& ray, const Branch& branch) const {
+Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch) {
+    Border border;
+    const bool met = stage_.world.next(ray, leaving, kInfinity, scratch_, border);
     LightMet lamp;
-    if (branch.sees_lights && stage_.needs.soft_lights && !stage_.surroundings.is_studio() &&
-        meet_lights(stage_.lights, ray.origin, ray.direction, kInfinity, lamp))
-        return lamp.radiance;
-    return stage_.surroundings.radiance(ray.direction);
+    if (branch.sees_lights && direct_.lamp_seen(ray, met ? border.t : kInfinity, lamp)) return lamp.radiance;
+    return met ? shade(ray, border, branch) : stage_.surroundings.radiance(ray.direction);
 }
 
-Vec3 Tracer::follow(const Ray& ray, const Branch& branch) {
-    Hit hit;
-    if (!first_hit(*stage_.program, ray, kInfinity, scratch_, hit)) return beyond(ray, branch);
-    LightMet lamp;
-    if (branch.sees_lights && stage_.needs.soft_lights && !stage_.surroundings.is_studio() &&
-        meet_lights(stage_.lights, ray.origin, ray.direction, hit.end.t, lamp))
-        return lamp.radiance;
-    return shade(ray, hit, branch);
-}
-
-Vec3 Tracer::shade(const Ray& ray, Hit& hit, const Branch& branch) {
+Vec3 Tracer::shade(const Ray& ray, const Border& border, const Branch& branch) {
     ++counters_.normals;
-    Meeting m{hit, &stage_.surfaces[hit.end.use], hit.end.normal, -ray.direction, 0};
-    m.cos_view = glm::dot(m.normal, m.view);
-    if (m.cos_view < 0) {
-        m.normal = -m.normal;
-        m.cos_view = -m.cos_view;
-    }
-    const Surface& s = *m.surface;
+    const Surface& s = *border.surface;
+    const Bsdf bsdf(s, border.normal, -ray.direction);
     Vec3 sum = s.emission;
-    if (s.transmission < 1) sum += (1 - s.transmission) * lit(m, branch);
-    if (s.transmission > 0) sum += s.transmission * through_glass(ray, m, branch);
-    if (s.transmission < 1 && (s.metal > 0 || (s.sharp() && s.dielectric_f0 > 0))) sum += (1 - s.transmission) * reflection(ray, m, branch);
-    if (s.coverage < 1) sum = s.coverage * sum + (1 - s.coverage) * continued(ray, m, branch);
-    return sum;
-}
-
-Vec3 Tracer::lit(const Meeting& m, const Branch& branch) {
-    if (m.surface->metal >= 1 && m.surface->sharp()) return Vec3(0);
-    Vec3 sum = sky(m, branch);
-    for (std::size_t i = 0; i < stage_.lights.size(); ++i) sum += lit_by(stage_.lights[i], i, m, branch);
-    return sum;
-}
-
-Vec3 Tracer::lit_by(const LightSource& light, std::size_t number, const Meeting& m, const Branch& branch) {
-    const bool sampled = light.extended() && sampler_;
-    const int parts = light.extended() && distributes() ? stage_.options.light_samples : 1;
-    Vec3 sum(0);
-    for (int k = 0; k < parts; ++k) {
-        Vec2 u(0, 0);
-        if (light.extended()) u = light.kind == LightKind::kSun ? Vec2(0, 0) : Vec2(0.5, 0.5);
-        if (sampled && stage_.options.samples * parts > 1) {
-            u = sampler_->pair(Draw::kLight, static_cast<std::uint32_t>(branch.depth) + 64 * static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(k),
-                               static_cast<std::uint32_t>(parts));
-        }
-        const LightSample sample = sample_light(light, m.hit.point, u);
-        const double cos_light = glm::dot(m.normal, sample.direction);
-        if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
-        Vec3 arriving = sample.radiance;
-        if (light.casts_shadow && stage_.integrator != Integrator::kPreview) arriving *= transmittance(m, sample.direction, sample.distance);
-        if (arriving == Vec3(0)) continue;
-        sum += scattering(m, sample.direction, cos_light) * arriving * cos_light;
+    if (s.transmission < 1) {
+        sum += (1 - s.transmission) * lit(border, bsdf, branch);
+        if (s.metal > 0 || (s.sharp() && s.dielectric_f0 > 0)) sum += (1 - s.transmission) * reflection(ray, border, bsdf, branch);
     }
-    return sum / static_cast<double>(parts);
+    if (s.transmission > 0) sum += s.transmission * through_clear(ray, border, bsdf, branch);
+    if (s.coverage < 1) sum = s.coverage * sum + (1 - s.coverage) * straight_on(ray, border, branch);
+    return absorbed_before(border) * sum;
 }
 
-// Diffuse share and highlight for light from `direction`.
-Vec3 Tracer::scattering(const Meeting& m, Vec3 direction, double cos_light) const {
-    const Surface& s = *m.surface;
-    const double sheen = fresnel_schlick(s.dielectric_f0, m.cos_view);
-    Vec3 value = s.color * ((1 - s.metal) * (1 - sheen) / kPi);
-    if (s.sharp() || (s.dielectric_f0 == 0 && s.metal == 0)) return value;
-    const Vec3 half = glm::normalize(direction + m.view);
-    const double nh = glm::dot(m.normal, half), vh = glm::dot(m.view, half);
-    return value + fresnel_schlick(normal_reflectance(s), vh) * (ggx_density(nh, s.alpha) * ggx_visibility(cos_light, std::max(m.cos_view, 1e-9), s.alpha));
+Vec3 Tracer::lit(const Border& border, const Bsdf& bsdf, const Branch& branch) {
+    if (border.surface->metal >= 1 && border.surface->sharp()) return Vec3(0);
+    Vec3 sum = sky(border, bsdf, branch);
+    for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
+        const int parts = direct_.parts_of(stage_.lights[i]);
+        for (int k = 0; k < parts; ++k) {
+            const LightSample sample = direct_.sample(i, border.point, *sampler_, branch.depth, k, parts);
+            const double cos_light = glm::dot(border.normal, sample.direction);
+            if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
+            const bool shadow = stage_.lights[i].casts_shadow && stage_.integrator != Integrator::kPreview;
+            const Vec3 share = shadow ? direct_.transmittance(border, sample.direction, sample.distance, 0, ClearShadows::kLetThrough) : Vec3(1);
+            if (share != Vec3(0)) sum += bsdf.value(sample.direction, cos_light) * share * sample.radiance * (cos_light / parts);
+        }
+    }
+    return sum;
 }
 
-// The unshadowed share of the surroundings on rough matter; metals and glass follow a ray instead.
-Vec3 Tracer::sky(const Meeting& m, const Branch& branch) {
-    const Surface& s = *m.surface;
-    const double sheen = fresnel_schlick(s.dielectric_f0, m.cos_view);
+// Light of the surroundings on rough matter; metals and clear matter follow a ray instead.
+Vec3 Tracer::sky(const Border& border, const Bsdf& bsdf, const Branch& branch) {
     if (stage_.surroundings.dark()) return Vec3(0);
     if (distributes()) {
-        const Vec2 u = sampler_->pair(Draw::kSky, static_cast<std::uint32_t>(branch.depth));
-        const Vec3 direction = Frame(m.normal).to_world(on_cosine_hemisphere(u));
-        return s.color * ((1 - s.metal) * (1 - sheen)) * stage_.surroundings.sky(direction) * transmittance(m, direction, kInfinity);
+        if (bsdf.diffuse_albedo() == Vec3(0)) return Vec3(0);
+        const Vec3 direction = Frame(border.normal).to_world(on_cosine_hemisphere(sampler_->pair(Draw::kSky, static_cast<std::uint32_t>(branch.depth))));
+        return bsdf.diffuse_albedo() * stage_.surroundings.sky(direction) * direct_.transmittance(border, direction, kInfinity, 0, ClearShadows::kLetThrough);
     }
-    Vec3 sum = s.color * ((1 - s.metal) * (1 - sheen)) * stage_.surroundings.sky(m.normal);
-    if (s.dielectric_f0 > 0 && !s.sharp() && s.metal < 1) {
-        // A dull sheen: the room's mean brightness in the mirror direction, weaker the rougher.
-        const double dull = (1 - s.metal) * (1 - s.alpha) * fresnel_schlick(s.dielectric_f0, m.cos_view);
-        sum += dull * stage_.surroundings.sky(mirrored(-m.view, m.normal));
-    }
-    return sum;
+    return bsdf.diffuse_albedo() * stage_.surroundings.sky(border.normal) + bsdf.sheen() * stage_.surroundings.sky(mirrored(-bsdf.view(), border.normal));
 }
 
-Vec3 Tracer::reflection(const Ray& ray, const Meeting& m, const Branch& branch) {
-    const Surface& s = *m.surface;
+Vec3 Tracer::reflection(const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch) {
+    const Surface& s = *border.surface;
     if (branch.depth >= stage_.options.max_depth) return Vec3(0);
-    if (stage_.integrator == Integrator::kPreview) return s.metal * s.color * stage_.surroundings.radiance(mirrored(ray.direction, m.normal));
-    const Vec3 f0 = s.sharp() ? normal_reflectance(s) : s.color * s.metal;
-    Vec3 micro = m.normal;
-    double masking = 1;
-    if (!s.sharp() && distributes()) {
-        const Frame frame(m.normal);
-        micro = frame.to_world(ggx_visible_normal(frame.to_local(m.view), s.alpha, sampler_->pair(Draw::kLobe, static_cast<std::uint32_t>(branch.depth))));
-    }
+    const Vec3 micro = distributes() ? bsdf.micro_normal(lobe(branch)) : border.normal;
     Ray next = ray;
+    next.origin = border.point;
     next.direction = mirrored(ray.direction, micro);
-    const double cos_out = glm::dot(next.direction, m.normal);
+    const double cos_out = glm::dot(next.direction, border.normal);
     if (!(cos_out > 0)) return Vec3(0);
-    if (!s.sharp()) masking = ggx_masking(cos_out, s.alpha);
-    const Vec3 share = fresnel_schlick(f0, glm::dot(m.view, micro)) * masking;
+    const Vec3 share = bsdf.mirror_share(-glm::dot(ray.direction, micro)) * (s.sharp() ? 1.0 : ggx_masking(cos_out, s.alpha));
+    if (stage_.integrator == Integrator::kPreview) return share * stage_.surroundings.radiance(next.direction);
     Branch onward = branch;
     onward.weight *= largest(share);
     if (onward.weight < kLeastWeight) return Vec3(0);
     ++onward.depth;
     onward.sees_lights = s.sharp();
-    next.origin = m.hit.point;
-    next.departure = &m.hit.departure;
     ++counters_.reflection;
-    return share * follow(next, onward);
+    return share * follow(next, &border.leaving, onward);
 }
 
-// Both branches at a border of glass. Inside, light is absorbed along the way.
-Vec3 Tracer::through_glass(const Ray& ray, const Meeting& m, const Branch& branch) {
-    const Surface& s = *m.surface;
-    const bool leaving = m.hit.from_inside;
-    const Vec3 travelled = leaving ? absorbed(s.absorption, m.hit.end.t * glm::length(ray.direction)) : Vec3(1);
+// Both branches at the border of clear matter.
+Vec3 Tracer::through_clear(const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch) {
     if (branch.depth >= stage_.options.max_depth) return Vec3(0);
-    const double eta = leaving ? s.ior : 1 / s.ior;
-    Vec3 micro = m.normal;
-    if (!s.sharp() && distributes()) {
-        const Frame frame(m.normal);
-        micro = frame.to_world(ggx_visible_normal(frame.to_local(m.view), s.alpha, sampler_->pair(Draw::kLobe, static_cast<std::uint32_t>(branch.depth))));
-    }
-    const double mirror = fresnel_dielectric(glm::dot(m.view, micro), eta);
+    const Surface& s = *border.surface;
+    const double eta = border.eta();
+    const Vec3 micro = distributes() ? bsdf.micro_normal(lobe(branch)) : border.normal;
+    const double mirror = fresnel_dielectric(-glm::dot(ray.direction, micro), eta);
     Ray next = ray;
-    next.origin = m.hit.point;
-    next.departure = &m.hit.departure;
+    next.origin = border.point;
     Branch onward = branch;
     ++onward.depth;
     onward.sees_lights = s.sharp();
+    const double reach = branch.weight * largest(absorbed_before(border));
     Vec3 sum(0);
-    const double reach = branch.weight * largest(travelled);
     onward.weight = reach * mirror;
     next.direction = mirrored(ray.direction, micro);
-    if (onward.weight >= kLeastWeight && glm::dot(next.direction, m.normal) > 0) {
+    if (onward.weight >= kLeastWeight && glm::dot(next.direction, border.normal) > 0) {
         ++counters_.reflection;
-        sum += mirror * follow(next, onward);
+        sum += mirror * follow(next, &border.leaving, onward);
     }
     onward.weight = reach * (1 - mirror);
     const std::optional<Vec3> bent = refracted(ray.direction, micro, eta);
-    if (bent && onward.weight >= kLeastWeight && glm::dot(*bent, m.normal) < 0) {
+    if (bent && onward.weight >= kLeastWeight && glm::dot(*bent, border.normal) < 0) {
         ++counters_.refraction;
         next.direction = *bent;
-        sum += (1 - mirror) * s.color * follow(next, onward);
+        sum += (1 - mirror) * s.color * follow(next, &border.leaving, onward);
     }
-    return travelled * sum;
+    return sum;
 }
 
-// Straight on behind a thin cover.
-Vec3 Tracer::continued(const Ray& ray, const Meeting& m, const Branch& branch) {
+// Behind a thin cover.
+Vec3 Tracer::straight_on(const Ray& ray, const Border& border, const Branch& branch) {
     Branch onward = branch;
-    onward.weight *= 1 - m.surface->coverage;
+    onward.weight *= 1 - border.surface->coverage;
     ++onward.straight;
     if (onward.weight < kLeastWeight || onward.straight > kMostCovers) return Vec3(0);
     Ray next = ray;
-    next.origin = m.hit.point;
-    next.departure = &m.hit.departure;
-    if (branch.depth == 0) {
-        Hit hit;
-        if (first_hit(*stage_.program, next, kInfinity, scratch_, hit)) return shade(next, hit, onward);
-        return stage_.surroundings.radiance(next.direction);
-    }
-    return follow(next, onward);
-}
-
-// Share of the light that comes through from `direction`: 0 or 1 among opaque matter. Glass lets it pass unbent.
-Vec3 Tracer::transmittance(const Meeting& m, Vec3 direction, double distance) {
-    Ray ray;
-    ray.origin = m.hit.point;
-    ray.direction = direction;
-    ray.departure = &m.hit.departure;
-    ++counters_.shadow;
-    if (!stage_.needs.see_through) return any_hit(*stage_.program, ray, distance, scratch_) ? Vec3(0) : Vec3(1);
-    Vec3 share(1);
-    Hit hit;
-    Departure left;
-    for (int cover = 0; cover < kMostCovers; ++cover) {
-        if (!first_hit(*stage_.program, ray, distance, scratch_, hit)) return share;
-        const Surface& s = stage_.surfaces[hit.end.use];
-        const double cosine = std::abs(glm::dot(hit.end.normal, direction));
-        const Vec3 clear = s.transmission * (1 - fresnel_schlick(s.dielectric_f0, cosine)) * s.color * (hit.from_inside ? absorbed(s.absorption, hit.end.t) : Vec3(1));
-        share *= glm::mix(Vec3(1), clear, s.coverage);
-        if (largest(share) < kLeastWeight) return Vec3(0);
-        distance -= hit.end.t;
-        ray.origin = hit.point;
-        left = hit.departure;
-        ray.departure = &left;
-    }
-    return Vec3(0);
+    next.origin = border.point;
+    return follow(next, &border.leaving, onward);
 }
 
 }  // namespace whittle

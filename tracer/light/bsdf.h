@@ -1,0 +1,50 @@
+// bsdf.h — scattering at one border for one viewing direction: its value, its lobes, and directions drawn from them.
+//
+// The opaque share of a surface has two lobes: a diffuse one under a dielectric coat (or none in a metal) and a GGX one. Mirrors and clear
+// borders without roughness scatter into single directions and are followed by their own rays; they have no value here.
+#pragma once
+
+#include "tracer/light/scattering.h"
+#include "tracer/light/surface.h"
+
+namespace whittle {
+
+class Bsdf {
+public:
+    // `normal` and `view` (towards the viewer) are unit vectors with normal.view >= 0.
+    Bsdf(const Surface& surface, Vec3 normal, Vec3 view);
+
+    // Share of light from `direction` (away from the surface, cosine `cos_light` > 0) that goes to the viewer, per unit of solid angle and cosine.
+    Vec3 value(Vec3 direction, double cos_light) const;
+    // Albedo of the diffuse lobe: what white light from everywhere makes of it.
+    Vec3 diffuse_albedo() const { return diffuse_; }
+    // Reflectance of a mirror with this surface's colour, at the cosine to its normal.
+    Vec3 mirror_share(double cosine) const { return fresnel_schlick(f0_, cosine); }
+    // Weight of the surroundings' dull image in a rough dielectric coat: what its reflectance leaves when the roughness has spread it.
+    double sheen() const { return gloss_ ? (1 - surface_.metal) * (1 - surface_.alpha) * fresnel_schlick(surface_.dielectric_f0, cos_view_) : 0; }
+    Vec3 view() const { return view_; }
+    // Is there a lobe with a width that lights themselves shine into?
+    bool gloss() const { return gloss_; }
+
+    // A microfacet's normal for a mirror or refraction; the normal itself where the surface is sharp.
+    Vec3 micro_normal(Vec2 u) const;
+
+    // One direction of both lobes together. `choice` in [0,1) picks the lobe.
+    struct Drawn {
+        Vec3 direction{0};
+        Vec3 share{0};       // value x cosine / density
+        double density = 0;  // over solid angle; 0: none was found
+    };
+    Drawn draw(Vec2 u, double choice) const;
+    double density(Vec3 direction, double cos_light) const;
+
+private:
+    const Surface& surface_;
+    Vec3 normal_, view_;
+    double cos_view_;
+    Vec3 f0_, diffuse_;
+    bool gloss_;
+    double gloss_share_ = 0;  // of draws
+};
+
+}  // namespace whittle

@@ -1,0 +1,74 @@
+#include "tracer/light/direct.h"
+
+#include <limits>
+
+namespace whittle {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Less than this share of a light is darkness: half of the least step of eight bits.
+constexpr double kLeastShare = 1.0 / 512;
+
+// Borders that a shadow ray goes through before it is called blocked.
+constexpr int kMostBorders = 256;
+
+// Lamps have numbers of their own at every bounce: bounces beyond this share them.
+constexpr std::uint32_t kBouncesApart = 64;
+
+}  // namespace
+
+Vec3 absorbed(Vec3 per_mm, double length) {
+    if (per_mm == Vec3(0)) return Vec3(1);
+    const auto share = [&](double a) { return a > 0 ? Sleef_cinz_expd1_u10purec(-a * length) : 1.0; };
+    return {share(per_mm.x), share(per_mm.y), share(per_mm.z)};
+}
+
+Vec3 absorbed_before(const Border& border) { return border.before ? absorbed(border.before->absorption, border.travelled) : Vec3(1); }
+
+int DirectLight::parts_of(const LightSource& lamp) const {
+    return lamp.extended() && stage_.integrator >= Integrator::kDistributed ? stage_.options.light_samples : 1;
+}
+
+LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const {
+    const LightSource& lamp = stage_.lights[number];
+    // A single sample of an area stands in its middle.
+    Vec2 u = lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0);
+    if (lamp.extended() && stage_.options.samples * parts > 1) {
+        const std::uint32_t place = static_cast<std::uint32_t>(bounce) % kBouncesApart + kBouncesApart * static_cast<std::uint32_t>(number);
+        u = sampler.pair(Draw::kLight, place, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts));
+    }
+    return sample_light(lamp, point, u);
+}
+
+Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const {
+    Ray ray;
+    ray.origin = border.point;
+    ray.direction = direction;
+    ray.time = time;
+    ++counters_.shadow;
+    if (!stage_.needs.see_through) return stage_.world.blocked(ray, &border.leaving, distance, scratch_) ? Vec3(0) : Vec3(1);
+    Vec3 share(1);
+    Leaving leaving = border.leaving;
+    for (int i = 0; i < kMostBorders; ++i) {
+        Border next;
+        if (!stage_.world.next(ray, &leaving, distance, scratch_, next)) return share;
+        const Surface& s = *next.surface;
+        const double open = clear == ClearShadows::kLetThrough ? s.transmission * (1 - fresnel_dielectric(-glm::dot(next.normal, direction), next.eta())) : 0;
+        share *= absorbed_before(next) * glm::mix(Vec3(1), open * s.color, s.coverage);
+        if (largest(share) < kLeastShare) return Vec3(0);
+        distance -= next.t;
+        ray.origin = next.point;
+        leaving = next.leaving;
+    }
+    return Vec3(0);
+}
+
+bool DirectLight::lamp_seen(const Ray& ray, double t_max, LightMet& met) const {
+    // The studio's lamps are not things: its surroundings show a soft box instead.
+    if (!stage_.needs.soft_lights || stage_.surroundings.is_studio()) return false;
+    return meet_lights(stage_.lights, ray.origin, ray.direction, t_max, met);
+}
+
+}  // namespace whittle

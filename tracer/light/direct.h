@@ -1,0 +1,44 @@
+// direct.h — light that comes straight from a lamp: shadows, lamps seen, light let through.
+#pragma once
+
+#include "tracer/light/bsdf.h"
+#include "tracer/light/sampler.h"
+#include "tracer/light/stage.h"
+
+namespace whittle {
+
+// What a camera ray brings. `coverage`: 1 where it met the solid.
+struct CameraLight {
+    Vec3 radiance{0};
+    double coverage = 0;
+};
+
+// Share of light that is left after `length` mm.
+Vec3 absorbed(Vec3 per_mm, double length);
+// What is lost inside `border.before` on the way to the border.
+Vec3 absorbed_before(const Border& border);
+inline double largest(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
+
+// How clear matter lets shadow rays pass: unbent (a picture without caustics), or not at all (who follows light through it himself).
+enum class ClearShadows { kLetThrough, kBlock };
+
+class DirectLight {
+public:
+    DirectLight(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), scratch_(scratch), counters_(counters) {}
+
+    // Sample `part` of `parts` of lamp `number`, from `point`.
+    LightSample sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const;
+    // Samples that lamp deserves at a hit.
+    int parts_of(const LightSource& lamp) const;
+    // Share of light that comes to the border from `direction`, `distance` away: 0 or 1 among opaque matter.
+    Vec3 transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const;
+    // Is a lamp nearer than t_max on the ray?
+    bool lamp_seen(const Ray& ray, double t_max, LightMet& met) const;
+
+private:
+    const Stage& stage_;
+    Scratch& scratch_;
+    RenderCounters& counters_;
+};
+
+}  // namespace whittle

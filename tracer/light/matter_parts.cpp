@@ -1,0 +1,182 @@
+#include "tracer/light/matter_parts.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace whittle {
+
+namespace {
+
+// What decides where light goes inside: colour and the rest do not part a glass from itself.
+struct Kind {
+    Material material;
+    bool clear;
+    bool operator==(const Kind&) const = default;
+};
+
+Kind kind_of(const Material& material) {
+    if (is_clear(material)) return {material, true};
+    return {Material{}, false};
+}
+
+// Walks the solid with the materials of the path, the outermost first.
+class Divider {
+public:
+    explicit Divider(const Solid& solid) : solid_(solid) { collect(solid.root(), Material{}); }
+
+    const std::vector<Kind>& kinds() const { return kinds_; }
+
+    Solid part(std::size_t kind) {
+        builder_ = SolidBuilder();
+        copied_.clear();
+        restricted_.clear();
+        kind_ = kind;
+        return builder_.finish(restricted(solid_.root(), Material{}));
+    }
+
+private:
+    Material inside(const Use& use, const Material& outer) const { return use.label == kNoLabel ? outer : nested(outer, solid_.label(use.label).material); }
+
+    std::size_t kind_number(const Material& material) {
+        const Kind kind = kind_of(material);
+        const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
+        if (found != kinds_.end()) return static_cast<std::size_t>(found - kinds_.begin());
+        kinds_.push_back(kind);
+        return kinds_.size() - 1;
+    }
+
+    // Numbers the kinds in author's order; cutters have none.
+    void collect(const Use& use, const Material& outer) {
+        const Material material = inside(use, outer);
+        if (!visited_.insert({use.node, number_of(material)}).second) return;
+        if (const auto* combination = std::get_if<Combination>(&solid_.node(use.node))) {
+            const std::size_t count = combination->op == SetOp::kDifference ? 1 : combination->operands.size();
+            for (std::size_t i = 0; i < std::min(count, combination->operands.size()); ++i) collect(combination->operands[i], material);
+            return;
+        }
+        if (const NodeId profile = profile_of(use.node)) return collect(Use{profile, kNoLabel, 0, {}}, material);
+        kind_number(material);
+    }
+
+    // Distinct materials of paths, numbered.
+    std::size_t number_of(const Material& material) {
+        const auto found = std::find(materials_.begin(), materials_.end(), material);
+        if (found != materials_.end()) return static_cast<std::size_t>(found - materials_.begin());
+        materials_.push_back(material);
+        return materials_.size() - 1;
+    }
+
+    // The 2D node that is swept, if any.
+    NodeId profile_of(NodeId node) const {
+        const Shape& shape = std::get<Shape>(solid_.node(node));
+        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return e->profile;
+        if (const auto* r = std::get_if<shape::Revolution>(&shape)) return r->profile;
+        return kEmptyNode;
+    }
+
+    NodeId with_profile(NodeId node, NodeId profile) {
+        if (profile == kEmptyNode) return kEmptyNode;
+        Shape shape = std::get<Shape>(solid_.node(node));
+        if (auto* e = std::get_if<shape::Extrusion>(&shape)) e->profile = profile;
+        if (auto* r = std::get_if<shape::Revolution>(&shape)) r->profile = profile;
+        return builder_.shape(std::move(shape));
+    }
+
+    Use copied_use(const Use& use, NodeId node) {
+        Use copy = use;
+        copy.node = node;
+        copy.label = use.label == kNoLabel ? kNoLabel : builder_.label(solid_.label(use.label));
+        copy.motion = use.motion == 0 ? 0 : builder_.motion(solid_.motion(use.motion));
+        return copy;
+    }
+
+    // The whole node, in the new builder.
+    NodeId copied(NodeId id) {
+        if (const auto found = copied_.find(id); found != copied_.end()) return found->second;
+        NodeId copy = kEmptyNode;
+        if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
+            std::vector<Use> operands;
+            for (const Use& use : combination->operands) operands.push_back(copied_use(use, copied(use.node)));
+            copy = operands.empty() ? kEmptyNode : builder_.combine(combination->op, std::move(operands));
+        } else if (const NodeId profile = profile_of(id)) {
+            copy = with_profile(id, copied(profile));
+        } else {
+            copy = builder_.shape(std::get<Shape>(solid_.node(id)));
+        }
+        return copied_[id] = copy;
+    }
+
+    Use restricted(const Use& use, const Material& outer) {
+        const Material material = inside(use, outer);
+        return copied_use(use, restricted(use.node, material));
+    }
+
+    // The node where its matter is of the wanted kind.
+    NodeId restricted(NodeId id, const Material& material) {
+        const std::pair<NodeId, std::size_t> key{id, number_of(material)};
+        if (const auto found = restricted_.find(key); found != restricted_.end()) return found->second;
+        NodeId result = kEmptyNode;
+        if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
+            result = restricted_combination(*combination, material);
+        } else if (const NodeId profile = profile_of(id)) {
+            result = with_profile(id, restricted(profile, material));
+        } else if (kind_of(material) == kinds_[kind_]) {
+            result = copied(id);
+        }
+        return restricted_[key] = result;
+    }
+
+    NodeId restricted_combination(const Combination& c, const Material& material) {
+        if (c.operands.empty()) return kEmptyNode;
+        std::vector<Use> wanted;
+        for (std::size_t i = 0; i < c.operands.size(); ++i) {
+            if (c.op == SetOp::kDifference && i > 0) break;
+            const Use own = restricted(c.operands[i], material);
+            if (own.node == kEmptyNode) continue;
+            wanted.push_back(c.op == SetOp::kUnion ? own : beside_the_others(c, i, own));
+        }
+        if (wanted.empty()) return kEmptyNode;
+        return builder_.combine(SetOp::kUnion, std::move(wanted));
+    }
+
+    // Operand `i` of an intersection or difference cut down to `own`, with the other operands whole.
+    Use beside_the_others(const Combination& c, std::size_t i, const Use& own) {
+        std::vector<Use> operands;
+        for (std::size_t k = 0; k < c.operands.size(); ++k) operands.push_back(k == i ? own : copied_use(c.operands[k], copied(c.operands[k].node)));
+        Use use;
+        use.node = builder_.combine(c.op, std::move(operands));
+        return use;
+    }
+
+    const Solid& solid_;
+    SolidBuilder builder_;
+    std::vector<Kind> kinds_;
+    std::vector<Material> materials_;
+    std::set<std::pair<NodeId, std::size_t>> visited_;
+    std::map<NodeId, NodeId> copied_;
+    std::map<std::pair<NodeId, std::size_t>, NodeId> restricted_;
+    std::size_t kind_ = 0;
+};
+
+}  // namespace
+
+std::vector<MatterPart> divided_by_matter(const Solid& solid) {
+    Divider divider(solid);
+    const bool clear = std::any_of(divider.kinds().begin(), divider.kinds().end(), [](const Kind& k) { return k.clear; });
+    std::vector<MatterPart> parts;
+    if (!clear) return parts;
+    if (divider.kinds().size() == 1) {
+        const Kind& only = divider.kinds()[0];
+        parts.push_back({Solid{}, only.material, true, 0});
+        return parts;
+    }
+    for (std::size_t k = 0; k < divider.kinds().size(); ++k) {
+        const Kind& kind = divider.kinds()[k];
+        parts.push_back({divider.part(k), kind.material, kind.clear, kind.material.priority.value_or(0)});
+    }
+    return parts;
+}
+
+}  // namespace whittle

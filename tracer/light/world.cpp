@@ -1,0 +1,152 @@
+#include "tracer/light/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace whittle {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The reading's snap (docs/numerics.md, 3): supports nearer than this share of the extent are one.
+constexpr double kSnap = 0x1p-44;
+
+// Hidden borders in a row before a ray is given up.
+constexpr int kMostHidden = 10000;
+
+// What a cutter may say about the face it leaves on clear matter.
+Material cut_face(const Material& matter, const Material& cutter) {
+    Material surface;
+    surface.color = cutter.color;
+    surface.roughness = cutter.roughness;
+    surface.metal = cutter.metal;
+    return nested(surface, matter);
+}
+
+// Faces of a clear part: its own matter, cutters adding their surface.
+Result<std::vector<Surface>> faces_of(const std::vector<LeafUse>& uses, const MatterPart& part) {
+    if (!part.clear) return resolve_surfaces(uses);
+    std::vector<LeafUse> faces = uses;
+    for (LeafUse& use : faces) use.material = use.subtracts && use.material.names_surface() ? cut_face(part.material, use.material) : part.material;
+    return resolve_surfaces(faces);
+}
+
+}  // namespace
+
+Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* solid) {
+    World world;
+    const Vec3 extent = program_bounds(*whole).hi - program_bounds(*whole).lo;
+    world.tie_ = kSnap * std::max(extent.x, std::max(extent.y, extent.z));
+    std::vector<MatterPart> parts;
+    if (solid) parts = divided_by_matter(*solid);
+    if (parts.size() < 2 || parts.size() > kMostParts) {
+        const std::vector<LeafUse>& uses = leaf_uses(*whole);
+        Result<std::vector<Surface>> surfaces = parts.size() == 1 ? faces_of(uses, parts[0]) : resolve_surfaces(uses);
+        if (!surfaces) return tl::unexpected<Error>(surfaces.error());
+        world.parts_.push_back({std::move(whole), std::move(*surfaces), {}, 0, false});
+        return world;
+    }
+    for (const MatterPart& part : parts) {
+        Result<std::shared_ptr<const Program>> program = compile(part.solid);
+        if (!program) return tl::unexpected<Error>(program.error());
+        Result<std::vector<Surface>> surfaces = faces_of(leaf_uses(**program), part);
+        if (!surfaces) return tl::unexpected<Error>(surfaces.error());
+        const Result<Surface> matter = resolve_surface(part.material);
+        if (!matter) return tl::unexpected<Error>(matter.error());
+        world.parts_.push_back({std::move(*program), std::move(*surfaces), *matter, part.priority, part.clear});
+    }
+    world.ranked_.resize(world.parts_.size());
+    std::iota(world.ranked_.begin(), world.ranked_.end(), 0);
+    std::stable_sort(world.ranked_.begin(), world.ranked_.end(), [&](int a, int b) { return world.parts_[a].priority > world.parts_[b].priority; });
+    return world;
+}
+
+int World::owner(std::uint32_t inside) const {
+    for (int part : ranked_)
+        if ((inside >> part) & 1U) return part;
+    return -1;
+}
+
+bool World::next(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
+    return divided() ? next_of_all(ray, leaving, t_max, scratch, border) : next_of_one(ray, leaving, t_max, scratch, border);
+}
+
+bool World::next_of_one(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
+    Ray asked = ray;
+    asked.departure = leaving && leaving->parts ? &leaving->events[0] : nullptr;
+    Hit hit;
+    if (!first_hit(*parts_[0].program, asked, t_max, scratch, hit)) return false;
+    const Surface& surface = parts_[0].surfaces[hit.end.use];
+    border.t = border.travelled = hit.end.t;
+    border.point = hit.point;
+    border.normal = glm::dot(hit.end.normal, ray.direction) > 0 ? -hit.end.normal : hit.end.normal;
+    border.surface = &surface;
+    border.before = hit.from_inside ? &surface : nullptr;
+    border.after = hit.from_inside ? nullptr : &surface;
+    border.certified = hit.end.certified;
+    border.leaving.events[0] = hit.departure;
+    border.leaving.parts = 1;
+    return true;
+}
+
+bool World::next_of_all(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
+    Ray asked = ray;
+    Leaving left;
+    if (leaving) left = *leaving;
+    double passed = 0;
+    std::array<Hit, kMostParts> hits;
+    for (int hidden = 0; hidden < kMostHidden; ++hidden) {
+        std::uint32_t met = 0, inside = 0;
+        std::size_t nearest = kMostParts;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            asked.departure = (left.parts >> k) & 1U ? &left.events[k] : nullptr;
+            if (!first_hit(*parts_[k].program, asked, kInfinity, scratch, hits[k])) continue;
+            met |= 1U << k;
+            if (hits[k].from_inside) inside |= 1U << k;
+            if (nearest == kMostParts || hits[k].end.t < hits[nearest].end.t) nearest = k;
+        }
+        if (nearest == kMostParts || passed + hits[nearest].end.t > t_max) return false;
+        const End& first = hits[nearest].end;
+        std::uint32_t tied = 0;
+        left.parts = 0;
+        for (std::size_t k = 0; k < parts_.size(); ++k)
+            if (((met >> k) & 1U) && hits[k].end.t - first.t <= hits[k].end.t_error + first.t_error + tie_) {
+                tied |= 1U << k;
+                left.events[k] = hits[k].departure;
+            }
+        left.parts = tied;
+        const int before = owner(inside), after = owner(inside ^ tied);
+        passed += first.t;
+        asked.origin = hits[nearest].point;
+        if (before == after) continue;
+        // The face is shown by the part that begins, else by the one that ends. What is opaque and was there before shows its own matter.
+        const int shown = after >= 0 && ((tied >> after) & 1U) ? after : before;
+        const int looks = after >= 0 ? after : before;
+        const End& face = hits[static_cast<std::size_t>(shown)].end;
+        border.t = border.travelled = passed;
+        border.point = hits[nearest].point;
+        border.normal = glm::dot(face.normal, ray.direction) > 0 ? -face.normal : face.normal;
+        border.surface = &parts_[static_cast<std::size_t>(looks)].surfaces[hits[static_cast<std::size_t>(looks)].end.use];
+        border.before = before >= 0 ? &parts_[static_cast<std::size_t>(before)].matter : nullptr;
+        border.after = after >= 0 ? &parts_[static_cast<std::size_t>(after)].matter : nullptr;
+        border.certified = face.certified;
+        border.leaving = left;
+        return true;
+    }
+    return false;
+}
+
+bool World::blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const {
+    if (divided()) {
+        Border border;
+        return next_of_all(ray, leaving, t_max, scratch, border);
+    }
+    Ray asked = ray;
+    asked.departure = leaving && leaving->parts ? &leaving->events[0] : nullptr;
+    return any_hit(*parts_[0].program, asked, t_max, scratch);
+}
+
+}  // namespace whittle

@@ -1,0 +1,77 @@
+// world.h — the borders a ray of light meets: what it leaves, what it enters, and the surface between.
+//
+// Where the solid is divided by matter (matter_parts.h) every part is asked and borders that coincide are one: a wall that belongs to two
+// parts at once, because they touch, leads from the one matter straight into the other, with no gap and no film.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "csg/base/result.h"
+#include "tracer/engine/engine.h"
+#include "tracer/light/matter_parts.h"
+#include "tracer/light/surface.h"
+
+namespace whittle {
+
+// More clear matters than this are not told apart.
+inline constexpr std::size_t kMostParts = 8;
+
+// The events that a continuation ray leaves, one a part. Bit k of `parts`: part k has one.
+struct Leaving {
+    std::array<Departure, kMostParts> events;
+    std::uint32_t parts = 0;
+};
+
+// `before` and `after` are null in air.
+struct Border {
+    double t = 0;
+    double travelled = 0;  // inside `before`, in units of t
+    Vec3 point{0};
+    Vec3 normal{0};        // unit, against the ray
+    const Surface* surface = nullptr;
+    const Surface* before = nullptr;
+    const Surface* after = nullptr;
+    bool certified = true;
+    Leaving leaving;
+
+    // Index before over index behind.
+    double eta() const { return (before ? before->ior : 1.0) / (after ? after->ior : 1.0); }
+};
+
+class World {
+public:
+    // kScene: an unknown material.
+    static Result<World> make(std::shared_ptr<const Program> whole, const Solid* solid);
+
+    // The first border with t <= t_max at which the matter changes. Requires a unit direction; `leaving` may be null.
+    bool next(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    // Is anything before t_max? Asks the whole solid.
+    bool blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const;
+
+    const Program& whole() const { return *parts_[0].program; }
+    bool divided() const { return parts_.size() > 1; }
+    // Of all parts; those of the whole solid by its leaf uses where it is not divided.
+    const std::vector<Surface>& surfaces(std::size_t part) const { return parts_[part].surfaces; }
+    std::size_t part_count() const { return parts_.size(); }
+
+private:
+    struct Part {
+        std::shared_ptr<const Program> program;
+        std::vector<Surface> surfaces;  // by leaf use
+        Surface matter;                 // inside
+        double priority = 0;
+        bool clear = false;
+    };
+    bool next_of_one(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    bool next_of_all(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    int owner(std::uint32_t inside) const;
+
+    std::vector<Part> parts_;
+    std::vector<int> ranked_;   // parts, the winner of overlaps first
+    double tie_ = 0;            // mm: the snap's share of a tie between parts
+};
+
+}  // namespace whittle
