@@ -49,13 +49,24 @@ std::vector<Met> flattened(const Spans& spans, bool& inside, std::string& fault)
         else if (i + 1 < spans.size()) fault = "an earlier span has no out";
     }
     for (std::size_t i = 1; i < r.size(); ++i)
-        if (r[i].end.t < r[i - 1].end.t) fault = "ends are out of order";
+        if (r[i].end.t < r[i - 1].end.t - r[i].end.t_error - r[i - 1].end.t_error) fault = "ends are out of order";
     return r;
 }
 
 bool within(const End& end, const Border& b) {
     const Dyadic t(end.t), e(end.t_error);
     return b.lo <= t + e && t - e <= b.hi;
+}
+
+// A border belongs to a use that changes there; a cut that names no matter of its own belongs to what it cuts.
+std::string use_fault(const Subject& subject, const End& end, const Border& b) {
+    const auto& uses = leaf_uses(*subject.program);
+    if (end.use >= uses.size()) return "no such use";
+    const auto changes = [&](std::uint32_t leaf) { return subject.use_of_leaf[leaf] == end.use; };
+    const auto subtracts = [&](std::uint32_t leaf) { return uses[subject.use_of_leaf[leaf]].subtracts; };
+    if (std::any_of(b.leaves.begin(), b.leaves.end(), changes)) return {};
+    if (std::any_of(b.leaves.begin(), b.leaves.end(), subtracts) && !uses[end.use].subtracts) return {};
+    return fmt::format("use {} does not change there", end.use);
 }
 
 std::string end_fault(const Subject& subject, const Ray& ray, const End& end, const Border& b, Tally& tally) {
@@ -66,12 +77,10 @@ std::string end_fault(const Subject& subject, const Ray& ray, const End& end, co
     if (!(std::abs(length(end.normal) - 1) < 1e-9)) return "the normal is not of length 1";
     const double against = dot(end.normal, ray.direction) / length(ray.direction);
     if (b.entering ? against > 1e-6 : against < -1e-6) return fmt::format("the normal faces the wrong way: {:.3g}", against);
-    const auto is_use = [&](std::uint32_t leaf) { return subject.use_of_leaf[leaf] == end.use; };
-    if (std::none_of(b.leaves.begin(), b.leaves.end(), is_use)) return fmt::format("use {} does not change there", end.use);
-    return {};
+    return use_fault(subject, end, b);
 }
 
-std::string spans_fault(const Subject& subject, const Ray& ray, const Borders& want, Scratch& scratch, Tally& tally) {
+std::string spans_fault(const Subject& subject, const Ray& ray, const Borders& want, Scratch& scratch, double& first_error, Tally& tally) {
     Spans spans;
     all_spans(*subject.program, ray, scratch, spans);
     const auto fail_with = [&](const std::string& why) { return fmt::format("all_spans: {}\n  engine   {}\n  reference{}", why, described(spans), described(want)); };
@@ -80,6 +89,7 @@ std::string spans_fault(const Subject& subject, const Ray& ray, const Borders& w
     const std::vector<Met> met = flattened(spans, inside, fault);
     if (!fault.empty()) return fail_with(fault);
     if (met.size() != want.borders.size()) return fail_with("another number of borders");
+    if (!met.empty()) first_error = met[0].end.t_error;
     const bool enters_at_zero = !want.borders.empty() && want.borders[0].entering;
     if (inside != (want.starts_inside && !enters_at_zero)) return fail_with("another start");
     for (std::size_t i = 0; i < met.size(); ++i) {
@@ -151,8 +161,9 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
     ++tally.pairs;
     tally.borders += want.borders.size();
     tally.from_inside += want.starts_inside;
-    std::string why = spans_fault(subject, ray, want, scratch, tally);
-    // Limits between the borders, well away from them, and none.
+    double first_error = 0;
+    std::string why = spans_fault(subject, ray, want, scratch, first_error, tally);
+    // No limit, and limits before and after the first border, further from it than its bound.
     std::vector<double> limits{HUGE_VAL};
     if (!want.borders.empty()) {
         const double first = about(want.borders[0]);
@@ -160,7 +171,7 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
         limits.push_back(first * (1 + std::uniform_real_distribution<double>(0x1p-20, 2)(random)));
     }
     for (const double t_max : limits) {
-        if (!(t_max > 0)) continue;
+        if (!(t_max > 0) || (std::isfinite(t_max) && !(std::abs(t_max - about(want.borders[0])) > 2 * first_error))) continue;
         if (why.empty()) why = first_hit_fault(subject, ray, want, t_max, scratch, tally);
         if (why.empty()) why = any_hit_fault(subject, ray, want, t_max, scratch);
     }

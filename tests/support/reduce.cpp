@@ -10,6 +10,9 @@ namespace whittle::support {
 
 namespace {
 
+// Each attempt compiles and asks anew: enough for a few hundred leaves, and an end for those that only fail now and then.
+constexpr int kMostAttempts = 2000;
+
 // A solid as a tree of its own: a placed shape, over its profile if it has one, or a placed set operation.
 struct Piece {
     Placement placement;
@@ -80,6 +83,7 @@ private:
     // Tries `change` on the piece; keeps it if the whole still fails.
     template <class Change>
     bool tried(Piece& p, Change change) {
+        if (++attempts_ > kMostAttempts) return false;
         Piece before = p;
         change(p);
         if (fails_(solid_of(whole_))) return true;
@@ -112,6 +116,7 @@ private:
 
     Piece whole_;
     const std::function<bool(const Solid&)>& fails_;
+    int attempts_ = 0;
 };
 
 // Writes shapes and uses; `place` is the text of a placement, empty for the identity.

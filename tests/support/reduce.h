@@ -9,8 +9,8 @@
 
 namespace whittle::support {
 
-// A solid on which `fails` still holds and from which no operand, placement or level can be taken so that it does. Built without simplifications.
-// Requires: fails(solid). Labels and motions are dropped first if that keeps it failing; nothing is reduced otherwise.
+// A solid on which `fails` still holds though operands, placements and levels were taken from it as long as that (and patience) lasted; built without
+// simplifications, labels and motions. The solid itself where it does not fail without those.
 Solid reduced(const Solid& solid, const std::function<bool(const Solid&)>& fails);
 
 // C++ that builds the solid with a SolidBuilder `b` and helpers `use(node, placement)`; numbers to the last bit.
