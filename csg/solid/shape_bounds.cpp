@@ -18,8 +18,9 @@ constexpr double kQuadricRoom = 0x1p-30;
 
 const Bounds kEverywhere{Vec3(-kInfinity), Vec3(kInfinity)};
 
-Bounds widened(Bounds b, double relative) {
-    for (int i = 0; i < 3; ++i) {
+// Heights are the author's numbers and stay; `axes` says how many coordinates are computed ones.
+Bounds widened(Bounds b, double relative, int axes = 2) {
+    for (int i = 0; i < axes; ++i) {
         const double room = relative * std::max(std::fabs(b.lo[i]), std::fabs(b.hi[i]));
         if (room == 0) continue;
         b.lo[i] = add_down(b.lo[i], -room);
@@ -123,12 +124,9 @@ struct BoundsOf {
     Bounds operator()(const shape::Quadric& s) const { return quadric_bounds(s); }
     Bounds operator()(const shape::Capsule& s) const { return capsule_bounds(s); }
     Bounds operator()(const shape::RoundBox& s) const { return {s.lo, s.hi}; }
-    Bounds operator()(const shape::FacetedBall& s) const { return widened(round_bar(s.r, -s.r, s.r), kRoom); }
+    Bounds operator()(const shape::FacetedBall& s) const { return widened(round_bar(s.r, -s.r, s.r), kRoom, 3); }
     Bounds operator()(const shape::FacetedFrustum& s) const {
-        Bounds b = widened(round_bar(std::max(s.r0, s.r1), s.z0, s.z1), kRoom);
-        b.lo.z = s.z0;
-        b.hi.z = s.z1;
-        return b;
+        return widened(round_bar(std::max(s.r0, s.r1), s.z0, s.z1), kRoom);
     }
     Bounds operator()(const shape::Polyhedron& s) const {
         Bounds b;
