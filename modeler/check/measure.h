@@ -3,13 +3,13 @@
 // A line's chord through the solid is exact, so an integral over the solid is an integral of chords over a plane. Two methods:
 //  - "planes": every face lies in an axis plane. One line through the middle of each cell of the arrangement gives the integrals exactly, up to
 //    rounding; errors are of kind "bound".
-//  - "lines": independent randomisations, each of three orthogonal directions in a random rotation, each direction's disc covered by an
-//    Owen-scrambled Sobol set. Chords give volume and moments; a crossing with unit normal n counts |n.d| towards the area, since
+//  - "lines": independent randomisations, each of three orthogonal directions in a random rotation, with a randomly shifted grid of lines
+//    along each. Chords give volume and moments; a crossing with unit normal n counts |n.d| towards the area, since
 //    |n.d1|^2 + |n.d2|^2 + |n.d3|^2 = 1 and a surface element projects to |n.d| of itself. Every randomisation is unbiased, so their spread gives
 //    the error: Student's t at 99 %, kind "ci99".
 // The number of lines is fixed before any result is seen (a stopping rule on results would bias the interval) and does not depend on threads or time.
 //
-// Source: Owen, Scrambled net variance for integrals of smooth functions (1997); Santalo, Integral Geometry and Geometric Probability (1976), I.4.
+// Source: Kieu, Three lectures on systematic geometric sampling (1997); Santalo, Integral Geometry and Geometric Probability (1976), I.4.
 #pragma once
 
 #include <array>

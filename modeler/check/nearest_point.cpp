@@ -31,8 +31,8 @@ Vec3 polygon_normal(const std::vector<Vec3>& polygon) {
     return n;
 }
 
-// Even-odd, seen along the normal's largest coordinate.
-bool above_polygon(Vec3 p, const std::vector<Vec3>& polygon, Vec3 n) {
+// Even-odd for a point of the polygon's plane, seen along the normal's largest coordinate.
+bool is_in_polygon(Vec3 p, const std::vector<Vec3>& polygon, Vec3 n) {
     const Vec3 a = glm::abs(n);
     const int drop = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     const int i = (drop + 1) % 3, j = (drop + 2) % 3;
@@ -148,8 +148,9 @@ double distance_to_polygon(Vec3 p, const std::vector<Vec3>& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) best = std::min(best, distance_to_segment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
     const Vec3 n = polygon_normal(polygon);
     const double length = glm::length(n);
-    if (length > 0 && above_polygon(p, polygon, n)) best = std::min(best, std::fabs(glm::dot(p - polygon[0], n)) / length);
-    return best;
+    if (!(length > 0)) return best;
+    const double height = glm::dot(p - polygon[0], n) / length;
+    return is_in_polygon(p - height * n / length, polygon, n) ? std::min(best, std::fabs(height)) : best;
 }
 
 double distance_to_ellipsoid(Vec3 p, Vec3 radii) {

@@ -1,0 +1,96 @@
+// test_leaf_distance.cpp — distances to leaves' boundaries against points moved off the surface by a known length.
+#include <cmath>
+
+#include "modeler/check/leaf_distance.h"
+#include "modeler/check/nearest_point.h"
+#include "tests/modeler/check/check_solids.h"
+
+using namespace whittle;
+using namespace whittle::test;
+
+namespace {
+
+double nearest(const Solid& solid, Vec3 p) {
+    const auto leaves = LeafDistances::of(solid);
+    REQUIRE(leaves);
+    return leaves->nearest(p, 1, 1, 4).distance;
+}
+
+}  // namespace
+
+TEST_CASE("distances to plain shapes are those of geometry") {
+    CHECK(nearest(one_shape(shape::Box{Vec3(0), Vec3(2)}), {1, 1, 1.75}) == Approx(0.25));
+    CHECK(nearest(one_shape(shape::Box{Vec3(0), Vec3(2)}), {3, 3, 1}) == Approx(std::sqrt(2)));
+    CHECK(nearest(one_shape(shape::Ellipsoid{Vec3(2)}), {0, 0, 0.5}) == Approx(1.5));
+    CHECK(nearest(one_shape(shape::Torus{5, 2}), {0, 5, 2.5}) == Approx(0.5));
+    CHECK(nearest(one_shape(shape::Frustum{0, 4, 3, 1}), {4, 0, 0}) == Approx(1));
+    CHECK(nearest(one_shape(shape::Frustum{0, 4, 2, 2}), {0, 1.5, 2}) == Approx(0.5));
+    CHECK(nearest(one_shape(shape::Capsule{{0, 0, 0}, {0, 0, 3}, 1}), {0, 0, 4.5}) == Approx(0.5));
+    CHECK(nearest(one_shape(shape::RoundBox{Vec3(0), Vec3(4), 1}), {4, 4, 2}) == Approx(std::sqrt(2) - 1));
+    CHECK(nearest(one_shape(shape::FacetedFrustum{0, 4, 2, 2, 4}), {2, 2, 2}) == Approx(std::sqrt(2)));
+    CHECK(nearest(one_shape(shape::FacetedBall{2, 4}), {0, 0, 3}) == Approx(3 - std::sqrt(2)));
+}
+
+TEST_CASE("curved and flat parts are told apart") {
+    const LeafDistance d = boundary_distance(shape::Frustum{0, 4, 2, 2}, {1, 0, 3.5});
+    CHECK(d.curved == Approx(1));
+    CHECK(d.flat == Approx(0.5));
+    CHECK_FALSE(boundary_distance(shape::Box{Vec3(0), Vec3(1)}, Vec3(0.5)).curved < 1e9);
+}
+
+TEST_CASE("the nearest point of an ellipsoid is where its normal passes through the point") {
+    const Vec3 r(3, 2, 1);
+    for (int k = 0; k < 200; ++k) {
+        const double a = 0.1 * k, b = std::fmod(0.37 * k, M_PI);
+        const Vec3 on(r.x * std::sin(b) * std::cos(a), r.y * std::sin(b) * std::sin(a), r.z * std::cos(b));
+        const Vec3 normal = glm::normalize(on / (r * r));
+        for (const double off : {1.0, 0.1, 1e-6, -0.1, -0.25}) CHECK(distance_to_ellipsoid(on + off * normal, r) == Approx(std::fabs(off)).epsilon(1e-6));
+    }
+    CHECK(distance_to_ellipsoid(Vec3(0), r) == Approx(1));
+}
+
+TEST_CASE("placements that stretch give distances to first order") {
+    // A ball stretched to radii 3, 2, 1, tilted: against the ellipsoid itself.
+    const Placement stretch{{3, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0}};
+    const Solid stretched = one_shape(shape::Ellipsoid{Vec3(1)}, tilted(50) * stretch);
+    const Solid straight = one_shape(shape::Ellipsoid{{3, 2, 1}}, tilted(50));
+    for (int k = 0; k < 100; ++k) {
+        const double a = 0.3 * k, b = std::fmod(0.41 * k, M_PI);
+        const Vec3 on(3 * std::sin(b) * std::cos(a), 2 * std::sin(b) * std::sin(a), std::cos(b));
+        const Vec3 p = apply_to_point(tilted(50), 1.001 * on);
+        CHECK(nearest(stretched, p) == Approx(nearest(straight, p)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("extruded and revolved profiles are measured where they lie") {
+    SolidBuilder b;
+    const NodeId disc = b.shape(shape::Disc{1});
+    const NodeId square = b.shape(shape::Rectangle{{-1, -1}, {1, 1}});
+    const NodeId profile = b.combine(SetOp::kUnion, {use(disc, Placement::translation({1, 0, 0})), use(square, Placement::translation({3, 0, 0}))});
+    const NodeId bar = b.shape(shape::Extrusion{profile, 0, 10, 0, Vec2(1), 0});
+    const Solid solid = b.finish(use(bar));
+    CHECK(nearest(solid, {1, 1.5, 5}) == Approx(0.5));
+    CHECK(nearest(solid, {4.25, 0, 5}) == Approx(0.25));
+    CHECK(nearest(solid, {3.1, 0.1, 9.5}) == Approx(0.5));
+    CHECK(nearest(solid, {4, 1, 11}) == Approx(1));
+
+    SolidBuilder c;
+    const NodeId ring = c.shape(shape::Disc{1});
+    const NodeId moved = c.combine(SetOp::kUnion, {use(ring, Placement::translation({5, 0, 0}))});
+    const Solid half = c.finish(use(c.shape(shape::Revolution{moved, 0, 180, 0})));
+    CHECK(nearest(half, {0, 6.5, 0}) == Approx(0.5));
+    CHECK(nearest(half, {5, -0.5, 0}) == Approx(0.5));
+    CHECK(nearest(half, {0, -6.5, 0}) > 3);
+}
+
+TEST_CASE("a far point finds the nearest of many leaves") {
+    SolidBuilder b;
+    const NodeId ball = b.shape(shape::Ellipsoid{Vec3(0.25)});
+    std::vector<Use> balls;
+    for (int i = 0; i < 100; ++i) balls.push_back(use(ball, Placement::translation({static_cast<double>(i), 0, 0})));
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, balls)));
+    const auto leaves = LeafDistances::of(solid);
+    REQUIRE(leaves);
+    CHECK(leaves->nearest({40, 7, 0}, 0.01, 0.001, 4).distance == Approx(6.75));
+    CHECK(leaves->nearest({40, 0.26, 0}, 0.01, 0.001, 4).ratio == Approx(1));
+}
