@@ -1,0 +1,138 @@
+// embree_subject.cpp — Embree 3: single rays, packets of 16 with the coherent flag, high build quality, static.
+#include "bench/subject.h"
+
+#include <embree3/rtcore.h>
+
+#include "bench/ray_sets.h"
+#include "bench/scene_mesh.h"
+
+namespace whittle::bench {
+
+namespace {
+
+struct Peer {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    RTCIntersectContext context{};
+    ~Peer() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+};
+
+void add_mesh(Peer& peer, const PeerMesh& mesh) {
+    RTCGeometry g = rtcNewGeometry(peer.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.points.size()));
+    for (const Vec3& p : mesh.points)
+        for (int i = 0; i < 3; ++i) *points++ = static_cast<float>(p[i]);
+    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    for (const auto& t : mesh.triangles)
+        for (const std::uint32_t i : t) *corners++ = i;
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(peer.scene, g);
+    rtcReleaseGeometry(g);
+}
+
+void add_balls(Peer& peer, const std::vector<Ball>& balls) {
+    RTCGeometry g = rtcNewGeometry(peer.device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto* at = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, balls.size()));
+    for (const Ball& b : balls) {
+        for (int i = 0; i < 3; ++i) *at++ = static_cast<float>(b.centre[i]);
+        *at++ = static_cast<float>(b.radius);
+    }
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(peer.scene, g);
+    rtcReleaseGeometry(g);
+}
+
+// The normal is stored as Embree leaves it, not made a unit vector.
+void first_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
+    for (int i = 0; i < count; ++i) {
+        RTCRayHit r{};
+        r.ray.org_x = static_cast<float>(rays[i].origin.x), r.ray.org_y = static_cast<float>(rays[i].origin.y), r.ray.org_z = static_cast<float>(rays[i].origin.z);
+        r.ray.dir_x = static_cast<float>(rays[i].direction.x), r.ray.dir_y = static_cast<float>(rays[i].direction.y), r.ray.dir_z = static_cast<float>(rays[i].direction.z);
+        r.ray.tfar = HUGE_VALF;
+        r.ray.mask = ~0u;
+        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(peer.scene, &peer.context, &r);
+        answers[i] = r.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Answer{} : Answer{r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.primID};
+    }
+}
+
+void any_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
+    for (int i = 0; i < count; ++i) {
+        RTCRay r{};
+        r.org_x = static_cast<float>(rays[i].origin.x), r.org_y = static_cast<float>(rays[i].origin.y), r.org_z = static_cast<float>(rays[i].origin.z);
+        r.dir_x = static_cast<float>(rays[i].direction.x), r.dir_y = static_cast<float>(rays[i].direction.y), r.dir_z = static_cast<float>(rays[i].direction.z);
+        r.tfar = HUGE_VALF;
+        r.mask = ~0u;
+        rtcOccluded1(peer.scene, &peer.context, &r);
+        answers[i] = Answer();
+        if (r.tfar < 0) answers[i].t = 0;
+    }
+}
+
+void fill_16(RTCRay16& r, const Ray* rays) {
+    for (int k = 0; k < 16; ++k) {
+        r.org_x[k] = static_cast<float>(rays[k].origin.x), r.org_y[k] = static_cast<float>(rays[k].origin.y), r.org_z[k] = static_cast<float>(rays[k].origin.z);
+        r.dir_x[k] = static_cast<float>(rays[k].direction.x), r.dir_y[k] = static_cast<float>(rays[k].direction.y), r.dir_z[k] = static_cast<float>(rays[k].direction.z);
+        r.tnear[k] = 0, r.tfar[k] = HUGE_VALF, r.time[k] = 0;
+        r.mask[k] = ~0u, r.id[k] = 0, r.flags[k] = 0;
+    }
+}
+
+void first_16(Peer& peer, const Ray* rays, int count, Answer* answers) {
+    alignas(64) int valid[16];
+    for (int& v : valid) v = -1;
+    for (int i = 0; i + 16 <= count; i += 16) {
+        RTCRayHit16 r;
+        fill_16(r.ray, rays + i);
+        for (unsigned& id : r.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect16(valid, peer.scene, &peer.context, &r);
+        for (int k = 0; k < 16; ++k)
+            answers[i + k] = r.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID
+                                 ? Answer{}
+                                 : Answer{r.ray.tfar[k], {r.hit.Ng_x[k], r.hit.Ng_y[k], r.hit.Ng_z[k]}, r.hit.primID[k]};
+    }
+}
+
+void any_16(Peer& peer, const Ray* rays, int count, Answer* answers) {
+    alignas(64) int valid[16];
+    for (int& v : valid) v = -1;
+    for (int i = 0; i + 16 <= count; i += 16) {
+        RTCRay16 r;
+        fill_16(r, rays + i);
+        rtcOccluded16(valid, peer.scene, &peer.context, &r);
+        for (int k = 0; k < 16; ++k) {
+            answers[i + k] = Answer();
+            if (r.tfar[k] < 0) answers[i + k].t = 0;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent) {
+    if (query == Query::kSpans) return {};
+    const std::vector<Ball> balls = balls_of(scene.name);
+    const PeerMesh mesh = balls.empty() ? peer_mesh(scene) : PeerMesh{};
+    if (balls.empty() && mesh.triangles.empty()) return {};
+    const auto peer = std::make_shared<Peer>();
+    peer->device = rtcNewDevice("threads=1");
+    peer->scene = rtcNewScene(peer->device);
+    rtcSetSceneBuildQuality(peer->scene, RTC_BUILD_QUALITY_HIGH);
+    if (balls.empty()) {
+        add_mesh(*peer, mesh);
+    } else {
+        add_balls(*peer, balls);
+    }
+    rtcCommitScene(peer->scene);
+    rtcInitIntersectContext(&peer->context);
+    peer->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    const auto of = [&](auto f) { return [peer, f](const Ray* rays, int count, Answer* answers) { f(*peer, rays, count, answers); }; };
+    const std::string what = balls.empty() ? " (" + std::to_string(mesh.triangles.size()) + " triangles)" : " (balls)";
+    if (query == Query::kAny) return {{"embree 1" + what, of(any_1)}, {"embree 16" + what, of(any_16)}};
+    return {{"embree 1" + what, of(first_1)}, {"embree 16" + what, of(first_16)}};
+}
+
+}  // namespace whittle::bench

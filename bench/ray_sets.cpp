@@ -1,0 +1,49 @@
+// ray_sets.cpp — camera and incoherent rays.
+#include "bench/ray_sets.h"
+
+#include <cmath>
+#include <random>
+
+#include "csg/base/degrees.h"
+
+namespace whittle::bench {
+
+std::vector<Ray> camera_rays(const BenchScene& scene, int width, int height) {
+    const Vec3 forward = -glm::normalize(scene.from), right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))), up = glm::cross(right, forward);
+    const Vec3 eye = -forward * (scene.radius / sind(20));
+    const double half = sind(10.5) / cosd(10.5);
+    std::vector<Ray> rays;
+    rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int tile = 0; tile < (width / kTile) * (height / kTile); ++tile)
+        for (int i = 0; i < kBatch; ++i) {
+            const int block = i / 16, in_block = i % 16;
+            const int x = tile % (width / kTile) * kTile + block % 4 * 4 + in_block % 4, y = tile / (width / kTile) * kTile + block / 4 * 4 + in_block / 4;
+            const double px = (x + 0.5 - 0.5 * width) / (0.5 * height) * half, py = (0.5 * height - y - 0.5) / (0.5 * height) * half;
+            Ray ray;
+            ray.origin = eye;
+            ray.direction = glm::normalize(forward + px * right + py * up);
+            rays.push_back(ray);
+        }
+    return rays;
+}
+
+std::vector<Ray> incoherent_rays(const BenchScene& scene, int count) {
+    std::mt19937_64 engine(77);
+    const auto between = [&](double a, double b) { return a + (b - a) * (static_cast<double>(engine() >> 11) * 0x1p-53); };
+    std::vector<Ray> rays;
+    while (rays.size() < static_cast<std::size_t>(count)) {
+        Vec3 v;
+        for (int i = 0; i < 3; ++i) v[i] = between(-1, 1);
+        const double l = glm::length(v);
+        if (l > 1 || l < 0.1) continue;
+        Vec3 to;
+        for (int i = 0; i < 3; ++i) to[i] = between(scene.box.lo[i], scene.box.hi[i]);
+        Ray ray;
+        ray.origin = v * (scene.radius / l);
+        ray.direction = glm::normalize(to - ray.origin);
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+}  // namespace whittle::bench

@@ -1,0 +1,37 @@
+// subject.h — one thing that is timed: it answers batches of rays and stores every answer.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/scenes.h"
+#include "csg/base/result.h"
+#include "csg/span/ray.h"
+
+namespace whittle::bench {
+
+// What a timed query leaves behind for each ray. t < 0: nothing met. For any hit t is 0; for all spans it is the length inside and
+// `surface` the number of spans.
+struct Answer {
+    double t = -1;
+    Vec3 normal{0};
+    std::uint32_t surface = 0;
+};
+
+struct Subject {
+    std::string name;
+    // Answers rays[0, count) into answers[0, count); count <= kBatch.
+    std::function<void(const Ray* rays, int count, Answer* answers)> run;
+};
+
+enum class Query { kFirst, kAny, kSpans };
+
+// The engine's single rays; and its packets where the query has them and the rays are coherent.
+Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool coherent);
+
+// Embree on the mesh of the scene (chord error 1e-3 of the radius), or on its own balls. Empty where there is no such mesh, or no Embree.
+std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent);
+
+}  // namespace whittle::bench

@@ -1,0 +1,64 @@
+// whittle_subject.cpp — the engine as a subject.
+#include "bench/subject.h"
+#include "tracer/engine/engine.h"
+
+namespace whittle::bench {
+
+namespace {
+
+struct Engine {
+    std::shared_ptr<const Program> program;
+    Scratch scratch;
+    Spans spans;
+    std::vector<Hit> hits;
+    std::unique_ptr<bool[]> found;
+};
+
+void store(const Hit& hit, bool found, Answer& a) { a = found ? Answer{hit.end.t, hit.end.normal, hit.end.surface} : Answer{}; }
+
+void first(Engine& e, const Ray* rays, int count, Answer* answers) {
+    Hit hit;
+    for (int i = 0; i < count; ++i) {
+        const bool found = first_hit(*e.program, rays[i], HUGE_VAL, e.scratch, hit);
+        store(hit, found, answers[i]);
+    }
+}
+
+void any(Engine& e, const Ray* rays, int count, Answer* answers) {
+    for (int i = 0; i < count; ++i) {
+        answers[i] = Answer();
+        if (any_hit(*e.program, rays[i], HUGE_VAL, e.scratch)) answers[i].t = 0;
+    }
+}
+
+void spans(Engine& e, const Ray* rays, int count, Answer* answers) {
+    for (int i = 0; i < count; ++i) {
+        answers[i] = Answer();
+        all_spans(*e.program, rays[i], e.scratch, e.spans);
+        if (e.spans.empty()) continue;
+        answers[i].t = 0;
+        answers[i].surface = static_cast<std::uint32_t>(e.spans.size());
+        for (const Span& s : e.spans)
+            if (s.in && s.out) {
+                answers[i].t += s.out->t - s.in->t;
+                answers[i].normal += s.in->normal + s.out->normal;
+            }
+    }
+}
+
+}  // namespace
+
+Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool) {
+    auto program = compile(scene.solid);
+    if (!program) return tl::unexpected<Error>(program.error());
+    const auto engine = std::make_shared<Engine>();
+    engine->program = *program;
+    const auto of = [&](auto f) { return [engine, f](const Ray* rays, int count, Answer* answers) { f(*engine, rays, count, answers); }; };
+    std::vector<Subject> subjects;
+    if (query == Query::kFirst) subjects.push_back({"whittle ray", of(first)});
+    if (query == Query::kAny) subjects.push_back({"whittle ray", of(any)});
+    if (query == Query::kSpans) subjects.push_back({"whittle ray", of(spans)});
+    return subjects;
+}
+
+}  // namespace whittle::bench
