@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "csg/eval/dump_csg.h"
 #include "csg/eval/evaluate.h"
-#include "modeler/cli/csg_text.h"
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/job_render.h"
 #include "modeler/cli/verbs.h"
@@ -50,7 +50,7 @@ Exit write_csg(Session& session, const std::string& path) {
     const auto evaluated = read_text_of_scene(session, {});
     if (!evaluated) return give_up(session, evaluated.error());
     if (evaluated->stopped()) return Exit::kScene;
-    const auto written = write_output(path, csg_text(evaluated->scene));
+    const auto written = write_output(path, dump_csg(evaluated->scene));
     return written ? Exit::kDone : give_up(session, written.error());
 }
 
