@@ -50,7 +50,7 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const 
     at.before = false;
     impl.walker.causes(program.root, at, impl.causes);
     End end;
-    end.t = e.t;
+    end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
     end.surface = impl.causes.empty() ? e.id : impl.causes.front().id;
     for (const Walker::Cause& c : impl.causes)
@@ -73,6 +73,8 @@ bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& sc
     const Event start = origin(ray.departure == nullptr);
     Event e;
     Found found = impl.walker.next(program.root, start, true, e);
+    // Inside up to an exit at t = 0 is outside: the walk begins behind it.
+    if (found == Found::kHere && start.before) found = impl.walker.next(program.root, origin(false), true, e);
     hit.from_inside = found == Found::kHere;
     if (hit.from_inside) found = impl.walker.next(program.root, origin(false), false, e);
     if (found != Found::kLater || e.t > t_max) return false;
@@ -116,6 +118,17 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
         spans.emplace_back();
         open = true;
     };
+    // Ends closer than rounding keep their order in t too: the exact t lies between the last end's and this one's, each within its bound.
+    double last_t = 0, last_error = 0;
+    const auto ascending = [&](End end) {
+        if (end.t < last_t) {
+            end.t = last_t;
+            end.t_error = std::max(end.t_error, last_error);
+        }
+        last_t = end.t;
+        last_error = end.t_error;
+        return end;
+    };
     bool started = false;
     for (std::uint32_t i = 0; i < changes.count; ++i) {
         const Event e = walker.change(changes.first + i);
@@ -129,9 +142,9 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
         inside = !inside;
         if (inside) {
             open_span();
-            spans.back().in = make_end(program, impl, ray, e, true);
+            spans.back().in = ascending(make_end(program, impl, ray, e, true));
         } else if (open) {
-            spans.back().out = make_end(program, impl, ray, e, false);
+            spans.back().out = ascending(make_end(program, impl, ray, e, false));
             open = false;
         }
     }
