@@ -11,6 +11,14 @@
 namespace whittle {
 namespace {
 
+struct PointHash {
+    std::size_t operator()(const GridPoint& p) const {
+        std::uint64_t h = 0x9E3779B97F4A7C15ULL;
+        for (const std::int64_t x : p) h = (h ^ static_cast<std::uint64_t>(x)) * 0xD6E8FEB86659FD93ULL, h ^= h >> 32;
+        return h;
+    }
+};
+
 // Finds equal points: first come, first numbered.
 class PointIndex {
 public:
@@ -22,14 +30,7 @@ public:
     }
 
 private:
-    struct Hash {
-        std::size_t operator()(const GridPoint& p) const {
-            std::uint64_t h = 0x9E3779B97F4A7C15ULL;
-            for (const std::int64_t x : p) h = (h ^ static_cast<std::uint64_t>(x)) * 0xD6E8FEB86659FD93ULL, h ^= h >> 32;
-            return h;
-        }
-    };
-    std::unordered_map<GridPoint, std::uint32_t, Hash> map_;
+    std::unordered_map<GridPoint, std::uint32_t, PointHash> map_;
 };
 
 // The directed edges of a mesh and the triangle each belongs to, sorted, so that the twin of an edge is found by bisection.
@@ -149,6 +150,19 @@ void normalise(SnappedLeaf& leaf) {
 
 }  // namespace
 
+struct KnownPoints::Table {
+    std::unordered_map<GridPoint, Vec3, PointHash> map;
+};
+KnownPoints::KnownPoints() : table_(std::make_unique<Table>()) {}
+KnownPoints::~KnownPoints() = default;
+KnownPoints::KnownPoints(KnownPoints&&) noexcept = default;
+KnownPoints& KnownPoints::operator=(KnownPoints&&) noexcept = default;
+void KnownPoints::add(const GridPoint& at, const Vec3& was) { table_->map.try_emplace(at, was); }
+const Vec3* KnownPoints::find(const GridPoint& at) const {
+    const auto found = table_->map.find(at);
+    return found == table_->map.end() ? nullptr : &found->second;
+}
+
 Grid Grid::for_size(double largest_coordinate) {
     Grid grid;
     const double most = static_cast<double>(kLargestGridCoordinate) / 2;
@@ -160,14 +174,17 @@ Grid Grid::for_size(double largest_coordinate) {
 
 std::int64_t Grid::snapped(double value_mm) const { return std::llround(value_mm * per_mm); }
 
-SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid) {
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid, KnownPoints& known) {
     SnappedLeaf out;
     PointIndex index(leaf.points.size());
     std::vector<std::uint32_t> renamed;
     renamed.reserve(leaf.points.size());
     for (const Vec3& p : leaf.points) {
         const Vec3 q = apply_to_point(placement, p);
-        renamed.push_back(index.put({grid.snapped(q.x), grid.snapped(q.y), grid.snapped(q.z)}, out.mesh.points));
+        const GridPoint snapped{grid.snapped(q.x), grid.snapped(q.y), grid.snapped(q.z)};
+        const std::size_t before = out.mesh.points.size();
+        renamed.push_back(index.put(snapped, out.mesh.points));
+        if (out.mesh.points.size() > before) known.add(snapped, q);
     }
     const bool mirrored = determinant(placement) < 0;
     out.mesh.triangles.reserve(leaf.triangles.size());

@@ -39,8 +39,23 @@ struct SnappedLeaf {
     FacetTag tag_count = 0;
 };
 
+// Where points were before they went onto the grid, by grid point; the first leaf that has one says.
+class KnownPoints {
+public:
+    KnownPoints();
+    ~KnownPoints();
+    KnownPoints(KnownPoints&&) noexcept;
+    KnownPoints& operator=(KnownPoints&&) noexcept;
+    void add(const GridPoint& at, const Vec3& was);
+    const Vec3* find(const GridPoint& at) const;
+
+private:
+    struct Table;
+    std::unique_ptr<Table> table_;
+};
+
 // The leaf after `placement`, on the grid: equal points merged, what has become nothing dropped, turned outward where the placement mirrors,
 // tagged by exactly coplanar regions. Empty where nothing is left.
-SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid);
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid, KnownPoints& known);
 
 }  // namespace whittle

@@ -84,8 +84,9 @@ public:
         result_.grid_mm = 1 / grid_.per_mm;
     }
 
-    Plan& plan() { return plan_; }
+    const Plan& plan() const { return plan_; }
     const Grid& grid() const { return grid_; }
+    const KnownPoints& known() const { return known_; }
 
     Result<std::optional<Instance>> build(const Use& use, Path path) {
         if (use.node == kEmptyNode) return std::optional<Instance>{};
@@ -150,7 +151,7 @@ private:
     }
 
     Result<std::optional<Instance>> piece_of(const LeafMesh& mesh, const Path& path, std::uint32_t number) {
-        SnappedLeaf snapped = snap_leaf(mesh, path.placement, grid_);
+        SnappedLeaf snapped = snap_leaf(mesh, path.placement, grid_, known_);
         if (snapped.mesh.triangles.empty()) return std::optional<Instance>{};
         if (const std::uint64_t open = count_open_edges(snapped.mesh.triangles); open > 0)
             return fail(Fault::kScene, placed_text(fmt::format("a solid is not closed: {} edges lack a neighbour", open), path.place));
@@ -191,6 +192,7 @@ private:
     CurveRule rule_;
     Grid grid_;
     Plan plan_;
+    KnownPoints known_;
     std::map<std::array<double, 10>, std::shared_ptr<const Tessellation>> tessellations_;
 };
 
@@ -205,8 +207,17 @@ void append_tag_starts(const Plan& plan, PlanId id, FacetTag base, std::vector<F
     append_tag_starts(plan, n.b.plan, base + plan.node(n.a.plan).tag_count, starts);
 }
 
+// A point in millimetres: a leaf's own corner as it was, any other divided by the grid.
+Vec3 in_mm(const Vec3& p, const GridPoint& by, const Planner& planner) {
+    const Vec3 whole{std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)};
+    if (whole == p)
+        if (const Vec3* was = planner.known().find(sum({std::llround(p.x), std::llround(p.y), std::llround(p.z)}, by))) return *was;
+    return (p + Vec3{by[0], by[1], by[2]}) / planner.grid().per_mm;
+}
+
 // Parts in double, one after the other; tags become leaf uses.
-Result<Mesh> gathered(const Plan& plan, const Instance& root, const Parts& parts, const Grid& grid) {
+Result<Mesh> gathered(const Planner& planner, const Instance& root, const Parts& parts) {
+    const Plan& plan = planner.plan();
     std::vector<FacetTag> starts;
     append_tag_starts(plan, root.ref.plan, 0, starts);
     Mesh mesh;
@@ -224,8 +235,7 @@ Result<Mesh> gathered(const Plan& plan, const Instance& root, const Parts& parts
             rounded.tags = leaf.tags;
         }
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        const Vec3 move{by[0], by[1], by[2]};
-        for (const Vec3& p : rounded.points) mesh.points.push_back((p + move) / grid.per_mm);
+        for (const Vec3& p : rounded.points) mesh.points.push_back(in_mm(p, by, planner));
         for (std::size_t i = 0; i < rounded.triangles.size(); ++i) {
             const Triangle& t = rounded.triangles[i];
             mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -265,7 +275,7 @@ Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, Me
     const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, how, control, result.stats);
     if (!parts) return tl::unexpected(parts.error());
     start = Clock::now();
-    auto mesh = gathered(planner.plan(), **instance, *parts, planner.grid());
+    auto mesh = gathered(planner, **instance, *parts);
     if (!mesh) return tl::unexpected(mesh.error());
     result.mesh = std::move(*mesh);
     weld(result.mesh);
