@@ -54,27 +54,72 @@ std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame
     return roots;
 }
 
-bool fine_crossing(const Support& support, const Frame& frame, const Ray& ray, bool leaving, int index, double& high, double& low, double& error) {
+namespace {
+
+struct FineRoots {
+    std::array<Bounded, 2> t;
+    int count = 0, first_sign = 1;
+};
+
+bool certain_nonzero(const Bounded& x) { return x.is_certain() && x.sign() != 0; }
+
+bool fine_roots(const Support& support, const Frame& frame, const Ray& ray, bool leaving, FineRoots& out) {
     if (degree_of(support.kind) > 2) return false;
     auto p = polynomial_of<Bounded>(support, frame, origin_of<Bounded>(ray), ray.direction);
     if (leaving) p.c[0] = Bounded();
     const Bounded &c = p.c[0], &b = p.c[1], &a = p.c[2];
-    const auto give = [&](const Bounded& t) {
-        high = t.high();
-        low = t.low();
-        error = t.error();
-        return std::isfinite(high) && std::isfinite(error);
-    };
-    if (p.degree == 1) return b.is_certain() && b.sign() != 0 && index == 0 && give(-c / b);
-    if (!a.is_certain() || a.sign() == 0) return false;
+    if (p.degree == 1 || a.is_zero()) {
+        if (b.is_zero()) {
+            out.first_sign = c.sign();
+            return certain_nonzero(c);
+        }
+        if (!certain_nonzero(b)) return false;
+        out.first_sign = -b.sign();
+        out.count = 1;
+        out.t[0] = -c / b;
+        return true;
+    }
+    if (!certain_nonzero(a)) return false;
     const Bounded disc = b * b - Bounded(4.0) * a * c;
-    if (!disc.is_certain() || disc.sign() <= 0 || !b.is_certain()) return false;
+    if (!certain_nonzero(disc)) return false;
+    out.first_sign = a.sign();
+    if (disc.sign() < 0) return true;
+    if (!b.is_certain()) return false;
     const Bounded h = square_root(disc);
     const Bounded m = b.sign() >= 0 ? -(b + h) : h - b;
+    if (!certain_nonzero(m)) return false;
     // The roots are m / 2a and 2c / m; which is the lesser follows from the signs alone.
-    const bool m_is_lesser = (b.sign() >= 0) == (a.sign() > 0);
-    if ((index == 0) == m_is_lesser) return give(m / (Bounded(2.0) * a));
-    return m.is_certain() && m.sign() != 0 && give(Bounded(2.0) * c / m);
+    const std::size_t at = (b.sign() >= 0) == (a.sign() > 0) ? 0 : 1;
+    out.count = 2;
+    out.t[at] = m / (Bounded(2.0) * a);
+    out.t[1 - at] = Bounded(2.0) * c / m;
+    return true;
+}
+
+}  // namespace
+
+bool fine_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
+    FineRoots roots;
+    if (!fine_roots(support, frame, ray, leaving, roots)) return false;
+    out.first_sign = static_cast<std::int8_t>(roots.first_sign);
+    out.count = static_cast<std::int8_t>(roots.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(roots.count); ++i) {
+        const Bounded& t = roots.t[i];
+        out.t[i] = t.high();
+        out.error[i] = t.error() + kUnitRoundoff * std::abs(t.high()) * (1 + 0x1p-40);
+        if (!std::isfinite(t.high()) || !std::isfinite(out.error[i])) return false;
+    }
+    return true;
+}
+
+bool fine_crossing(const Support& support, const Frame& frame, const Ray& ray, bool leaving, int index, double& high, double& low, double& error) {
+    FineRoots roots;
+    if (!fine_roots(support, frame, ray, leaving, roots) || index >= roots.count) return false;
+    const Bounded& t = roots.t[static_cast<std::size_t>(index)];
+    high = t.high();
+    low = t.low();
+    error = t.error();
+    return std::isfinite(high) && std::isfinite(error);
 }
 
 }  // namespace whittle

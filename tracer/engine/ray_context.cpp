@@ -65,7 +65,9 @@ bool RayContext::leaves(ClassId id) const {
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
     const FrameRay& local = frame_ray(s.frame);
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
-    if (!decided) out = exact(id).crossings;
+    if (decided) return;
+    ++counters_->escalated_double_double;
+    if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out)) out = exact(id).crossings;
 }
 
 const RayContext::Exact& RayContext::exact(ClassId id) {

@@ -10,6 +10,8 @@ using namespace whittle::testing;
 
 namespace {
 
+Use use(NodeId id) { return {id, 0, 0, {}}; }
+
 // nested for loops of unit cubes under a rotation, or one cube.
 Solid cubes(int n, const Placement& turn, bool as_one) {
     SolidBuilder b;
@@ -31,6 +33,23 @@ Solid cubes(int n, const Placement& turn, bool as_one) {
     return b.finish({b.combine(SetOp::kUnion, planes), 0, 0, turn});
 }
 
+void same_spans(const Program& many, const Program& one, int rays, Scratch& s, int& hits) {
+    Spans a, b;
+    Random random(7);
+    for (int i = 0; i < rays; ++i) {
+        const Ray ray = random.ray_through(program_bounds(one));
+        all_spans(many, ray, s, a);
+        all_spans(one, ray, s, b);
+        REQUIRE(a.size() == b.size());
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            REQUIRE(a[k].in.has_value() == b[k].in.has_value());
+            if (a[k].in) REQUIRE(a[k].in->t == b[k].in->t);
+            REQUIRE(a[k].out->t == b[k].out->t);
+        }
+        hits += a.empty() ? 0 : 1;
+    }
+}
+
 const Placement kTurn{{0.82677959106982157, -0.56054089667657359, -0.047216638417421436, 0.3, 0.48442422807701524, 0.75214408342758576, -0.44678008574338313,
                        -0.7, 0.28595222510483553, 0.34651577297130326, 0.89339696889999232, 0.1}};
 
@@ -40,38 +59,54 @@ TEST_CASE("a block of abutting cubes has the spans of one cube, to the bit") {
     const int n = 20;
     const auto many = compiled(cubes(n, kTurn, false)), one = compiled(cubes(n, kTurn, true));
     Scratch s;
-    Spans a, b;
-    Random random(7);
     int hits = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const Ray ray = random.ray_through(program_bounds(*one));
-        all_spans(*many, ray, s, a);
-        all_spans(*one, ray, s, b);
-        REQUIRE(a.size() == b.size());
-        for (std::size_t k = 0; k < a.size(); ++k) {
-            REQUIRE(a[k].in.has_value() == b[k].in.has_value());
-            if (a[k].in) REQUIRE(a[k].in->t == b[k].in->t);
-            REQUIRE(a[k].out->t == b[k].out->t);
-        }
-        hits += !a.empty();
-    }
+    same_spans(*many, *one, 20000, s, hits);
     CHECK(hits > 5000);
     CHECK(s.counters.escalated_exact == 0);
 }
 
-TEST_CASE("a solid less itself is empty, across instances and frames") {
-    SolidBuilder b;
-    const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)});
-    const NodeId ball = b.shape(shape::Ellipsoid{Vec3(1)});
-    const NodeId ring = b.shape(shape::Torus{1, 0.25});
-    const NodeId pin = b.shape(shape::Frustum{-1, 1, 0.5, 0.75});
-    const auto turn = [](double deg) { return Placement{{cosd(deg), -sind(deg), 0, 0, sind(deg), cosd(deg), 0, 0, 0, 0, 1, 0}}; };
-    for (const NodeId shape : {cube, ball, ring, pin}) {
-        SolidBuilder c;
-        const NodeId same = c.shape(std::get<Shape>(b.finish({shape, 0, 0, {}}).node(shape)));
-        const NodeId twice = c.combine(SetOp::kUnion, {{same, 0, 0, turn(30)}});
-        const NodeId d = c.combine(SetOp::kDifference, {{twice, 0, 0, turn(30)}, {same, 0, 0, turn(60)}});
-        const auto program = compiled(c.finish({d, 0, 0, {}}));
+TEST_CASE("a million abutting cubes under a rotation are one cube") {
+    const int n = 100;
+    const auto many = compiled(cubes(n, kTurn, false)), one = compiled(cubes(n, kTurn, true));
+    CHECK(build_report(*many).classes == 3u * (n + 1));
+    Scratch s;
+    int hits = 0;
+    same_spans(*many, *one, 300, s, hits);
+    CHECK(hits > 60);
+    CHECK(s.counters.escalated_exact == 0);
+}
+
+namespace {
+
+// The shapes of the next test; each keeps to the box of side 3 about the origin.
+std::vector<Shape> some_shapes() {
+    FacetList wedge{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    return {shape::Box{Vec3(0), Vec3(1)},
+            shape::Ellipsoid{Vec3(1)},
+            shape::Ellipsoid{Vec3(1, 0.5, 0.75)},
+            shape::Torus{1, 0.25},
+            shape::Torus{0.5, 0.75},
+            shape::Frustum{-1, 1, 0.5, 0.5},
+            shape::Frustum{-1, 1, 0.5, 0.75},
+            shape::Capsule{Vec3(0), Vec3(0.3, 0.4, 0.5), 0.25},
+            shape::RoundBox{Vec3(-1), Vec3(1), 0.25},
+            shape::FacetedFrustum{-1, 1, 1, 1, 7},
+            shape::FacetedBall{1, 8},
+            shape::Polyhedron{std::make_shared<const FacetList>(wedge)}};
+}
+
+Placement about_z(double deg) { return {{cosd(deg), -sind(deg), 0, 0, sind(deg), cosd(deg), 0, 0, 0, 0, 1, 0}}; }
+
+}  // namespace
+
+TEST_CASE("a solid less itself is empty, in one frame and written by another rotation") {
+    for (const Shape& shape : some_shapes()) {
+        INFO("shape " << shape.index());
+        SolidBuilder b;
+        const NodeId id = b.shape(shape);
+        const NodeId twice = b.combine(SetOp::kUnion, {{id, 0, 0, about_z(30)}});
+        const NodeId d = b.combine(SetOp::kDifference, {{twice, 0, 0, about_z(30)}, {id, 0, 0, about_z(60)}});
+        const auto program = compiled(b.finish({d, 0, 0, {}}));
         Scratch s;
         Spans spans;
         Random random(11);
@@ -79,10 +114,53 @@ TEST_CASE("a solid less itself is empty, across instances and frames") {
             all_spans(*program, random.ray_through({Vec3(-1.5), Vec3(1.5)}), s, spans);
             REQUIRE(spans.empty());
         }
-        b = SolidBuilder();
-        b.shape(shape::Box{Vec3(0), Vec3(1)});
-        b.shape(shape::Ellipsoid{Vec3(1)});
-        b.shape(shape::Torus{1, 0.25});
-        b.shape(shape::Frustum{-1, 1, 0.5, 0.75});
+    }
+}
+
+TEST_CASE("a cutter flush with a face leaves it open, in every frame") {
+    for (const Placement& turn : {Placement{}, kTurn}) {
+        SolidBuilder b;
+        const NodeId block = b.shape(shape::Box{Vec3(-1), Vec3(1)}), cutter = b.shape(shape::Box{Vec3(-0.5, -0.6, 0.1), Vec3(0.7, 0.4, 1)});
+        const auto program = compiled(b.finish({b.combine(SetOp::kDifference, {use(block), use(cutter)}), 0, 0, turn}));
+        Scratch s;
+        Spans spans;
+        Random random(5);
+        for (int i = 0; i < 2000; ++i) {
+            // Down into the pocket, in the block's own coordinates.
+            Ray ray;
+            ray.origin = apply_to_point(turn, {random.between(-0.45, 0.65), random.between(-0.55, 0.35), 3});
+            ray.direction = apply_to_direction(turn, {random.between(-0.001, 0.001), random.between(-0.001, 0.001), -1});
+            all_spans(*program, ray, s, spans);
+            REQUIRE(spans.size() == 1);
+            REQUIRE(spans[0].in->t == Approx(2.9).epsilon(1e-12));
+        }
+        CHECK(s.counters.escalated_exact == 0);
+    }
+}
+
+TEST_CASE("instances that touch along a face are whole, also when each has a frame of its own") {
+    SolidBuilder b;
+    const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)});
+    const NodeId turned = b.combine(SetOp::kUnion, {{cube, 0, 0, about_z(30)}});
+    // The second cube is the first, moved by the turned x axis: written as a move behind the turn and as one in front of it.
+    const NodeId moved = b.combine(SetOp::kUnion, {{cube, 0, 0, Placement::translation({1, 0, 0})}});
+    const NodeId behind = b.combine(SetOp::kUnion, {use(turned), {moved, 0, 0, about_z(30)}});
+    const NodeId before = b.combine(SetOp::kUnion, {use(turned), {turned, 0, 0, Placement::translation({cosd(30), sind(30), 0})}});
+    const NodeId whole = b.shape(shape::Box{Vec3(0), Vec3(2, 1, 1)});
+    const NodeId one = b.combine(SetOp::kUnion, {{whole, 0, 0, about_z(30)}});
+    const Solid solid = b.finish({b.combine(SetOp::kUnion, {use(behind), {before, 0, 0, Placement::translation({10, 0, 0})}, {one, 0, 0, Placement::translation({20, 0, 0})}})});
+    const auto program = compiled(solid);
+    Scratch s;
+    Spans spans;
+    Random random(9);
+    for (int i = 0; i < 3000; ++i) {
+        const double x = random.between(0.02, 1.98), y = random.between(0.02, 0.98);
+        for (const double at : {0.0, 10.0, 20.0}) {
+            Ray ray;
+            ray.origin = apply_to_point(about_z(30), {x, y, 3}) + Vec3(at, 0, 0);
+            ray.direction = apply_to_direction(about_z(30), {random.between(-0.005, 0.005), 0, -1});
+            all_spans(*program, ray, s, spans);
+            REQUIRE(spans.size() == 1);
+        }
     }
 }
