@@ -9,6 +9,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -184,7 +185,10 @@ Result<RenderResult> render(std::shared_ptr<const Program> program, const Render
     if (resume && !fits) return fail(Fault::kCommand, "The rendering to resume has another size or other planes");
     Rendering rendering(**stage, control, resume ? *resume : Film(options.width, options.height, options.aovs));
     RenderResult result;
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+    // More threads than cores are an arena's right only while this control lives; without it TBB prints a warning.
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    tbb::task_arena arena(threads);
     arena.execute([&] { result = rendering.run(); });
     count_skips(**stage, result.counters);
     return result;

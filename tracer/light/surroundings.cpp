@@ -34,7 +34,7 @@ Vec3 in_world(const Lens& lens, Vec3 in_view) { return glm::normalize(in_view.x 
 
 Surroundings Surroundings::constant(Vec3 radiance) {
     Surroundings s;
-    s.kind_ = Kind::kConstant;
+    s.kind_ = radiance == Vec3(0) ? Kind::kBlack : Kind::kConstant;
     s.constant_ = radiance;
     return s;
 }
