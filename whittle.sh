@@ -10,9 +10,9 @@ set -eu
 cd "$(dirname "$0")"
 
 build=build/release
-program_packages="g++ cmake ninja-build pkg-config libfmt-dev libglm-dev libexpected-dev libsleef-dev libhwy-dev libtbb-dev libgmp-dev
-    libmpfr-dev libboost-dev libcli11-dev nlohmann-json3-dev libopenimageio-dev"
-test_packages="libcgal-dev libopenmesh-dev catch2 librapidcheck-dev"
+program_packages="g++ cmake ninja-build libfmt-dev libglm-dev libexpected-dev libsleef-dev libtbb-dev libgmp-dev libpolyclipping-dev
+    libcli11-dev nlohmann-json3-dev libopenimageio-dev"
+test_packages="libcgal-dev libmpfr-dev catch2"
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -53,8 +53,8 @@ demo() {
     fi
     say "Building the program"
     cmake --build "$build" --target whittle whittle_image
-    scene=examples/coincident.scad
-    picture=$build/demo.png
+    scene=examples/carved_cube.scad
+    picture=$build/carved_cube.png
     say "Rendering $scene"
     "$build/whittle" render "$scene" -o "$picture"
     cat <<END
@@ -62,9 +62,9 @@ demo() {
 The picture: $PWD/$picture
 
 Next:
-  $build/whittle render examples/classic.scad -o classic.png --imgsize 1024,768
-  $build/whittle spans examples/classic.scad --ray=-100,1,2,1,0,0
-  $build/whittle measure examples/classic.scad
+  $build/whittle render examples/bearing.scad -o bearing.png --imgsize 1024,768
+  $build/whittle spans examples/carved_cube.scad --ray=-100,1,2,1,0,0
+  $build/whittle measure examples/carved_cube.scad
 (Meshes and the check of them need CGAL, which takes some minutes to compile: sh whittle.sh test)
 END
 }

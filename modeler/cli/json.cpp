@@ -26,7 +26,9 @@ std::size_t sequence_length(std::string_view text) {
 }  // namespace
 
 void number(Buffer& out, double value) {
-    if (std::isfinite(value))
+    if (value == 0)
+        out.push_back('0');  // -0 too
+    else if (std::isfinite(value))
         fmt::format_to(fmt::appender(out), FMT_COMPILE("{}"), value);
     else
         raw(out, "null");

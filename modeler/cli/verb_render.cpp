@@ -50,7 +50,7 @@ void count(Stats& stats, const RenderCounters& counters) {
 
 Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program) {
     const Scene& read = scene.evaluated.scene;
-    const RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera};
+    const RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera, &scene.canonical.solid};
     Progress progress("Rendering", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
     RenderControl control;
     control.progress = [&progress](const RenderProgress& now) { progress.report(now.done); };
@@ -85,7 +85,9 @@ Exit render_once(Session& session, const std::vector<Output>& outputs, Preview p
     files_read = scene->evaluated.files_read;
     if (auto solid = check_solid(scene->canonical); !solid) return give_up(session, solid.error());
     ImageFiles files;
-    files.start_loading();
+    // A PNG needs no image library.
+    for (const auto& output : outputs)
+        if (output.format != ImageFormat::kPng) files.start_loading();
     const auto program = compile_scene(session, scene->canonical.solid);
     if (!program) return give_up(session, program.error());
     const auto drawn = draw(session, *scene, *program);

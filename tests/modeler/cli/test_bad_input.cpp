@@ -1,0 +1,157 @@
+// test_bad_input.cpp — what is wrong is said with its place and an exit code, and leaves what was there before.
+#include <catch2/catch.hpp>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "run_program.h"
+
+namespace {
+
+// Text of a scene that ends with `code`; the message holds `part`.
+struct BadScene {
+    const char* name;
+    const char* text;
+    int code;
+    const char* part;
+};
+
+}  // namespace
+
+TEST_CASE("a file that is not there is named, with the system's reason") {
+    for (const char* verb : {"render", "mesh", "check", "measure"}) {
+        const Outcome outcome = run_whittle({verb, "/nowhere/a.scad"});
+        INFO(verb);
+        CHECK(outcome.code == 3);
+        CHECK(contains(outcome.err, "/nowhere/a.scad"));
+        CHECK(contains(outcome.err, "No such file or directory"));
+    }
+}
+
+TEST_CASE("a scene that is wrong says so and writes nothing") {
+    const BadScene scenes[] = {
+        {"syntax error", "cube(10;\n", 1, "syntax error in file a.scad, line 1"},
+        {"unfinished", "difference() { cube(1);\n", 1, "syntax error in file a.scad"},
+        {"unreadable include", "include <nothere.scad>\ncube(1);\n", 0, "nothere.scad"},
+        {"failed assert", "assert(1 > 2, \"no\");\ncube(1);\n", 1, "Assertion"},
+        {"recursion without end", "module m() { m(); }\nm();\n", 1, "ecursion"},
+        {"function recursion without end", "function f(x) = f(x + 1) + 1;\ncube(f(1));\n", 1, "ecursion"},
+        {"nothing", "", 1, "empty"},
+        {"division by zero as a size", "cube(1 / 0);\n", 1, ""},
+        {"not a number as a size", "sphere(r = 0 / 0);\n", 1, ""},
+        {"negative radius", "sphere(-3);\n", 1, ""},
+        {"negative cylinder", "cylinder(h = 2, r = -1);\n", 1, ""},
+        {"zero scale", "scale([1, 0, 1]) cube(1);\n", 1, ""},
+        {"flat", "square(3);\n", 1, "not a 3D object"},
+        {"open polyhedron", "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n", 1, ""},
+    };
+    for (const auto& scene : scenes) {
+        const TemporaryFolder folder;
+        folder.file("a.scad", scene.text);
+        const Outcome outcome = run_whittle({"render", "a.scad", "--imgsize", "32,32", "--samples", "1"}, {"", folder.path().string(), 0, ""});
+        INFO(scene.name << ": " << outcome.err);
+        CHECK(outcome.code == scene.code);
+        CHECK(contains(outcome.err, scene.part));
+        CHECK_FALSE(outcome.err.empty());
+        if (scene.code != 0) CHECK(folder.names() == std::vector<std::string>{"a.scad"});
+    }
+}
+
+TEST_CASE("a syntax error is told with file, line and column as JSON") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "cube(1);\nsphere(2;\n");
+    const Outcome outcome = run_whittle({"spans", scene, "--ray=0,0,0,0,0,1", "--diagnostics=json"});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, R"({"severity":"error","text":)"));
+    CHECK(contains(outcome.err, R"("file":"a.scad","line":2,"column":)"));
+    CHECK(outcome.out.empty());
+}
+
+TEST_CASE("every prefix of a scene ends in an answer or a message, never in a crash") {
+    const std::string text = "module m(a=[1,2]) { for (i=a) translate([i,0,0]) cube(i); }\nm(); x = let(b=3) b > 2 ? \"y\" : [for(i=[0:2]) i];\n";
+    const TemporaryFolder folder;
+    for (std::size_t length = 0; length <= text.size(); length += 3) {
+        const Outcome outcome = run_whittle({"spans", "-", "--ray=0,0,0,0,0,1"}, {text.substr(0, length), "", 0, ""});
+        INFO(text.substr(0, length) << "\n" << outcome.err);
+        CHECK((outcome.code == 0 || outcome.code == 1));
+        if (outcome.code == 1) CHECK_FALSE(outcome.err.empty());
+    }
+}
+
+TEST_CASE("an output that cannot be written is named and what was there stays") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "cube(1);\n");
+    const Outcome nowhere = run_whittle({"render", scene, "-o", "/nowhere/a.png", "--imgsize", "16,16", "--samples", "1"});
+    CHECK(nowhere.code == 3);
+    CHECK(contains(nowhere.err, "/nowhere/a.png"));
+
+    mkdir(folder.name("a.png").c_str(), 0755);
+    const Outcome onto_folder = run_whittle({"render", scene, "-o", folder.name("a.png"), "--imgsize", "16,16", "--samples", "1"});
+    CHECK(onto_folder.code == 3);
+    CHECK(folder.names() == std::vector<std::string>{"a.png", "a.scad"});
+}
+
+TEST_CASE("a full disk is told and leaves no broken file") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "cube(1);\n");
+    const Outcome picture = run_whittle({"-o", "/dev/full", "--export-format", "png", "--imgsize", "16,16", "--samples", "1", scene});
+    CHECK(picture.code == 3);
+    CHECK(contains(picture.err, "No space left on device"));
+    const Outcome stats = run_whittle({"spans", scene, "--ray=0,0,-5,0,0,1", "--stats", "/dev/full"});
+    CHECK(stats.code == 3);
+    const Outcome answer = run_whittle({"spans", scene, "--ray=0,0,-5,0,0,1", "--json"}, {"", "", 0, "/dev/full"});
+    CHECK(answer.code == 3);
+    CHECK(contains(answer.err, "No space left on device"));
+}
+
+TEST_CASE("the command line is wrong: exit code 2, before anything is read or written") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "cube(1);\n");
+    const std::vector<std::vector<std::string>> lines{{}, {"render"}, {"render", scene, "--nonsense"}, {"render", scene, "-o", folder.name("a.xyz")},
+                                                      {"-o", folder.name("a.xyz"), scene}, {"-o", folder.name("a.svg"), scene}, {"mesh", scene, "-o", folder.name("a.png")},
+                                                      {"spans", scene}, {"render", scene, "--camera", "1,2"}};
+    for (const auto& line : lines) {
+        const Outcome outcome = run_whittle(line);
+        INFO((line.empty() ? std::string("no arguments") : line.back()) << ": " << outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_FALSE(outcome.err.empty());
+        CHECK(outcome.out.empty());
+    }
+    CHECK(folder.names() == std::vector<std::string>{"a.scad"});
+}
+
+TEST_CASE("a line that is no ray is named by its number") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "cube(1);\n");
+    const Outcome outcome = run_whittle({"spans", scene, "--rays", "-", "--json"}, {"0 0 -5 0 0 1\n# a remark\n\n0 0 1\n", "", 0, ""});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "standard input, line 4"));
+}
+
+TEST_CASE("the time limit and the memory limit end the run with 3") {
+    const TemporaryFolder folder;
+    const std::string busy = folder.file("busy.scad", "function f(n) = n < 2 ? n : f(n - 1) + f(n - 2);\ncube(f(45));\n");
+    const Outcome late = run_whittle({"render", busy, "-o", folder.name("a.png"), "--limit-time", "0.3"});
+    CHECK(late.code == 3);
+    CHECK(contains(late.err, "time limit"));
+    const std::string large = folder.file("large.scad", "a = [for (i = [0:900000]) for (j = [0:50]) [i, j]];\ncube(len(a));\n");
+    const Outcome heavy = run_whittle({"render", large, "-o", folder.name("a.png"), "--limit-memory", "150"});
+    CHECK(heavy.code == 3);
+    CHECK(contains(heavy.err, "memory limit"));
+    CHECK(folder.names() == std::vector<std::string>{"busy.scad", "large.scad"});
+}
+
+TEST_CASE("an interrupted command writes nothing; an interrupted rendering writes its whole picture so far") {
+    const TemporaryFolder folder;
+    const std::string busy = folder.file("busy.scad", "function f(n) = n < 2 ? n : f(n - 1) + f(n - 2);\ncube(f(45));\n");
+    const Outcome stopped = run_whittle({"measure", busy}, {"", "", 0.3, ""});
+    CHECK(stopped.code == 130);
+    CHECK(stopped.out.empty());
+    CHECK(folder.names() == std::vector<std::string>{"busy.scad"});
+
+    const std::string scene = folder.file("a.scad", "difference() { cube(10); sphere(9); }\n");
+    const Outcome picture = run_whittle({"render", scene, "-o", folder.name("a.png"), "--samples", "100000", "--imgsize", "200,200"}, {"", "", 1.5, ""});
+    CHECK(picture.code == 130);
+    CHECK(folder.names() == std::vector<std::string>{"a.png", "a.scad", "busy.scad"});
+    CHECK(folder.read("a.png").substr(1, 3) == "PNG");
+}

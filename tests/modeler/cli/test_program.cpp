@@ -1,0 +1,186 @@
+// test_program.cpp — the program as a person uses it: each verb on a small scene.
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "run_program.h"
+
+namespace {
+
+constexpr const char* kScene = "color([1, 0, 0]) difference() {\n    cube(10, center = true);\n    cylinder(h = 20, r = 3, center = true);\n}\n";
+
+const std::vector<std::string> kSmall{"--imgsize", "48,32", "--samples", "1"};
+
+std::vector<std::string> with_small(std::vector<std::string> words) {
+    words.insert(words.end(), kSmall.begin(), kSmall.end());
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("spans tells what a ray meets") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", kScene);
+    const Outcome through = run_whittle({"spans", scene, "--ray=-20,0,0,2,0,0", "--json"});
+    REQUIRE(through.code == 0);
+    CHECK(through.out.rfind(R"({"spans":[{"in":{"t":7.5,"t_error":)", 0) == 0);
+    CHECK(contains(through.out, R"("point":[-5,0,0],"normal":[-1,0,0],"color":[1,0,0],"surface":)"));
+    CHECK(contains(through.out, R"("out":{"t":8.5,)"));
+    CHECK(contains(through.out, R"("file":"part.scad","line":3,"certified":true)"));
+    CHECK(contains(through.out, R"("interfaces":[]})"));
+    CHECK(contains(run_whittle({"spans", scene, "--ray=0,0,-20,0,0,1", "--json"}).out, R"({"spans":[],)"));
+    CHECK(contains(run_whittle({"spans", scene, "--ray=4,0,0,0,0,1", "--json"}).out, R"({"spans":[{"in":null,"out":{"t":5,)"));
+    CHECK(contains(run_whittle({"spans", scene, "--ray=4,0,0,0,0,1"}).out, "part.scad:2"));
+}
+
+TEST_CASE("spans answers many rays in order, by the same bytes on any number of threads") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", kScene);
+    std::string rays;
+    for (int i = 0; i < 5000; ++i) rays += std::to_string(-6 + 0.0024 * i) + " 1 -20 0 0 1\n";
+    const Outcome one = run_whittle({"spans", scene, "--rays", "-", "--json", "--threads", "1"}, {rays, "", 0, ""});
+    const Outcome four = run_whittle({"spans", scene, "--rays", folder.file("rays.txt", rays), "--json", "--threads", "4"});
+    CHECK(one.code == 0);
+    CHECK(std::count(one.out.begin(), one.out.end(), '\n') == 5000);
+    CHECK(one.out == four.out);
+}
+
+TEST_CASE("render writes a picture of the format its name says") {
+    const TemporaryFolder folder;
+    folder.file("part.scad", kScene);
+    const RunOptions there{"", folder.path().string(), 0, ""};
+    CHECK(run_whittle(with_small({"part.scad"}), there).code == 0);
+    CHECK(folder.read("part.png").substr(1, 3) == "PNG");
+    const Outcome several = run_whittle(with_small({"render", "part.scad", "-o", "a.jpg", "-o", "a.exr", "-o", "a.tif", "--json"}), there);
+    CHECK(several.code == 0);
+    CHECK(contains(several.out, R"({"file":"a.jpg","seconds":)"));
+    CHECK(folder.read("a.jpg").substr(0, 3) == "\xFF\xD8\xFF");
+    CHECK(folder.read("a.exr").substr(0, 4) == "\x76\x2f\x31\x01");
+    CHECK(folder.names() == std::vector<std::string>{"a.exr", "a.jpg", "a.tif", "part.png", "part.scad"});
+}
+
+TEST_CASE("shards put together have the bytes of the whole") {
+    const TemporaryFolder folder;
+    folder.file("part.scad", kScene);
+    const RunOptions there{"", folder.path().string(), 0, ""};
+    const std::vector<std::string> draw{"render", "part.scad", "--imgsize", "100,80", "--samples", "2"};
+    const auto render = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = draw;
+        words.insert(words.end(), more.begin(), more.end());
+        return run_whittle(words, there).code;
+    };
+    REQUIRE(render({"-o", "whole.exr"}) == 0);
+    REQUIRE(render({"-o", "a.exr", "--shard", "1/2"}) == 0);
+    REQUIRE(render({"-o", "b.exr", "--shard", "2/2"}) == 0);
+    const Outcome merged = run_whittle({"merge", "a.exr", "b.exr", "-o", "ab.exr"}, there);
+    INFO(merged.err);
+    CHECK(merged.code == 0);
+    CHECK(folder.read("a.exr") != folder.read("whole.exr"));
+    CHECK(folder.read("ab.exr") == folder.read("whole.exr"));
+}
+
+TEST_CASE("measure gives values with their errors") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("box.scad", "cube([2, 3, 4]);\n");
+    const Outcome outcome = run_whittle({"measure", scene, "--json"});
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, R"({"volume":{"value":)"));
+    CHECK(contains(outcome.out, R"("method":")"));
+    CHECK(contains(run_whittle({"measure", scene}).out, "volume"));
+}
+
+TEST_CASE("definitions, parameter sets and standard input reach the scene") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("p.scad", "w = 1;\ncube(w);\n");
+    const std::string sets = folder.file("p.json", R"({"parameterSets":{"big":{"w":"7"}},"fileFormatVersion":"1"})");
+    const auto exit_t = [](const std::string& out) { return out.substr(out.find(R"("out":{"t":)"), 13); };
+    const std::string ray = "--ray=.5,.5,-1,0,0,1";
+    CHECK(exit_t(run_whittle({"spans", scene, ray, "--json"}).out) == R"("out":{"t":2,)");
+    CHECK(exit_t(run_whittle({"spans", scene, ray, "--json", "-D", "w=3"}).out) == R"("out":{"t":4,)");
+    CHECK(exit_t(run_whittle({"spans", scene, ray, "--json", "-D", "w=3", "-p", sets, "-P", "big"}).out) == R"("out":{"t":8,)");
+    CHECK(exit_t(run_whittle({"spans", "-", ray, "--json"}, {"cube(5);", "", 0, ""}).out) == R"("out":{"t":6,)");
+}
+
+TEST_CASE("--clip keeps one side and closes the cut") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("ball.scad", "sphere(5);\n");
+    const auto picture = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = with_small({"render", scene, "-o", folder.name("a.png")});
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(run_whittle(words).code == 0);
+        return folder.read("a.png");
+    };
+    CHECK(picture({}) != picture({"--clip", "0,-1,0,0"}));
+    CHECK(picture({}) == picture({"--clip", "0,-1,0,6"}));
+}
+
+TEST_CASE("OpenSCAD's form makes the job that the suffix names") {
+    const TemporaryFolder folder;
+    folder.file("part.scad", "echo(w = 3);\n" + std::string(kScene));
+    const RunOptions there{"", folder.path().string(), 0, ""};
+    CHECK(run_whittle({"-o", "a.echo", "part.scad"}, there).code == 0);
+    CHECK(folder.read("a.echo") == "ECHO: w = 3\n");
+    CHECK(run_whittle({"-o", "a.csg", "-d", "a.d", "part.scad"}, there).code == 0);
+    CHECK(contains(folder.read("a.csg"), "cube(size = [10, 10, 10], center = true);"));
+    CHECK(contains(folder.read("a.d"), "a.csg: \\\n\tpart.scad"));
+    CHECK(run_whittle(with_small({"-o", "a.png", "part.scad"}), there).code == 0);
+    CHECK(folder.read("a.png").substr(1, 3) == "PNG");
+    const Outcome out = run_whittle({"-o", "-", "--export-format", "echo", "part.scad"}, there);
+    CHECK(out.out == "ECHO: w = 3\n");
+}
+
+TEST_CASE("$preview is true only for a picture by OpenSCAD's form without --render") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("p.scad", "echo($preview); cube(1);\n");
+    const std::string picture = folder.name("a.png");
+    CHECK(contains(run_whittle(with_small({"-o", picture, scene})).err, "ECHO: true"));
+    CHECK(contains(run_whittle(with_small({"-o", picture, "--render", scene})).err, "ECHO: false"));
+    CHECK(contains(run_whittle(with_small({"render", scene, "-o", picture})).err, "ECHO: false"));
+}
+
+TEST_CASE("warnings are told, counted when hard, and silent when quiet") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("w.scad", "x = nothere;\ncube(1);\n");
+    const std::string ray = "--ray=0,0,-5,0,0,1";
+    const Outcome told = run_whittle({"spans", scene, ray});
+    CHECK(told.code == 0);
+    CHECK(contains(told.err, "WARNING: Ignoring unknown variable 'nothere' in file w.scad, line 1"));
+    CHECK(run_whittle({"spans", scene, ray, "-q"}).err.empty());
+    CHECK(run_whittle({"spans", scene, ray, "--hardwarnings"}).code == 1);
+}
+
+TEST_CASE("what is not supported yet is left out with a warning, exit code 1 unless allowed") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("s.scad", "cube(5);\nsurface(file = \"x.dat\");\n");
+    const std::string picture = folder.name("a.png");
+    const Outcome left_out = run_whittle(with_small({"render", scene, "-o", picture}));
+    CHECK(left_out.code == 1);
+    CHECK(contains(left_out.err, "surface"));
+    CHECK(folder.names() == std::vector<std::string>{"a.png", "s.scad"});
+    CHECK(run_whittle(with_small({"render", scene, "-o", picture, "--allow-missing"})).code == 0);
+    CHECK(run_whittle({"measure", scene}).code == 1);
+    CHECK(run_whittle({"measure", scene, "--allow-missing"}).code == 0);
+}
+
+TEST_CASE("counters are written under their fixed names") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", kScene);
+    CHECK(run_whittle({"spans", scene, "--ray=0,0,-20,0,0,1", "--stats", folder.name("s.json")}).code == 0);
+    const std::string stats = folder.read("s.json");
+    CHECK(contains(stats, "\"solids.in_scene\": 2"));
+    CHECK(contains(stats, "\"loaded.image\": 0"));
+    CHECK(contains(stats, "\"rays.camera\": 0"));
+    CHECK(run_whittle(with_small({"render", scene, "-o", folder.name("a.png"), "--stats", folder.name("r.json")})).code == 0);
+    CHECK(contains(folder.read("r.json"), "\"loaded.image\": 1"));
+    CHECK_FALSE(contains(folder.read("r.json"), "\"rays.camera\": 0"));
+}
+
+TEST_CASE("bench says which program it needs when that is not there") {
+    const TemporaryFolder folder;
+    const std::string copy = folder.name("whittle");
+    std::filesystem::copy_file(WHITTLE_PROGRAM, copy);
+    const Outcome outcome = run_program(copy, {"bench"});
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.err, "whittle-bench"));
+}
