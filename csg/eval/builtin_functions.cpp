@@ -49,7 +49,8 @@ double absolute(double x) { return std::fabs(x); }
 double sign_of(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 double tangent(double x) {
     if (!(std::fabs(x) < 0x1p52 * 360)) return std::nan("");
-    if (x < 0 || x >= 180) x -= 180 * std::floor(x / 180);
+    const double turns = std::floor(x / 180);
+    x -= 180 * turns;
     const bool obtuse = x > 90;
     if (obtuse) x = 180 - x;
     double t = 0;
@@ -57,7 +58,7 @@ double tangent(double x) {
     else if (x == 30) t = 0.57735026918962576451;
     else if (x == 45) t = 1;
     else if (x == 60) t = 1.73205080756887729353;
-    else if (x == 90) t = HUGE_VAL;
+    else if (x == 90) t = std::fmod(turns, 2) == 0 ? HUGE_VAL : -HUGE_VAL;
     else t = Sleef_cinz_tand1_u10purec(x * kRadiansPerDegree);
     return obtuse ? -t : t;
 }

@@ -153,7 +153,6 @@ Value function_norm(FunctionCall& call) {
     }
     if (good) return Value(std::sqrt(sum));
     if (v.is_vector()) call.machine.warn(call.place, "Incorrect arguments to norm()", signature_hint("norm"));
-    else return wrong_type(call);
     return {};
 }
 
@@ -202,8 +201,7 @@ std::uint32_t seed_of(double number) {
     }
     exponent = exponent >= 0 ? exponent % kBits : kBits - 1 - ((-1 - exponent) % kBits);
     x = ((x << exponent) & kModulus) | (x >> (kBits - exponent));
-    const std::uint32_t hash = negative ? 0u - x : x;
-    return hash == 0xFFFFFFFFu ? 0xFFFFFFFEu : hash;
+    return negative ? 0u - x : x;
 }
 
 }  // namespace
@@ -211,7 +209,7 @@ std::uint32_t seed_of(double number) {
 Value function_rands(FunctionCall& call) {
     if (call.count() != 3 && call.count() != 4) return wrong_count(call);
     for (const Value& v : call.arguments)
-        if (!v.is_number()) return wrong_type(call);
+        if (!v.is_number()) return {};
     double low = call[0].number(), high = call[1].number(), wanted = call[2].number();
     constexpr double kHalf = std::numeric_limits<double>::max() / 2;
     const auto bounded = [&](double& end, const char* which, double otherwise) {
@@ -229,7 +227,7 @@ Value function_rands(FunctionCall& call) {
         wanted = 1;
     }
     if (call.count() == 4) call.machine.random().seed(seed_of(call[3].number()));
-    const std::size_t count = wanted > 0 ? static_cast<std::size_t>(std::min(wanted, 1e9)) : 0;
+    const std::size_t count = static_cast<std::size_t>(std::min(std::fabs(wanted), 1e9));
     std::vector<Value> out;
     for (std::size_t i = 0; i < count; ++i) {
         call.machine.tick();

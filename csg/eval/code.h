@@ -109,7 +109,7 @@ struct Passed {
 };
 
 struct Matched {
-    std::vector<Passed> passed;            // in the order of evaluation: by name
+    std::vector<Passed> passed;            // in the order of evaluation
     std::vector<std::string> complaints;   // warnings
 };
 

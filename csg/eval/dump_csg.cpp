@@ -165,7 +165,7 @@ std::string dump_csg(const Scene& scene) {
         out += std::string(depth, '\t') + std::visit(Head{child}, child.what) + (child.children.empty() ? ";\n" : " {\n");
         if (!child.children.empty()) open.push_back({id, 0, depth + 1, true});
     }
-    return out;
+    return out + "\n";
 }
 
 }  // namespace whittle

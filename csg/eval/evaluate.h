@@ -59,7 +59,7 @@ enum class Stop {
 };
 
 struct Evaluated {
-    Scene scene;  // what was made before the stop; an empty group after a syntax error
+    Scene scene;  // an empty group when the run stopped early
     SourceTable sources;
     Diagnostics diagnostics;  // of both steps, in order
     std::vector<std::string> files_read;

@@ -1,6 +1,7 @@
 #include "csg/eval/lower.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "csg/eval/builtin.h"
 #include "csg/eval/lower_state.h"
@@ -277,12 +278,12 @@ std::optional<Lowering::Found> Lowering::find_definition(NameId name, const Lexi
     return std::nullopt;
 }
 
-// Arguments to parameters, left to right: a name binds its parameter, an unnamed one the next position, counting only unnamed ones. Evaluated in the
-// order of the names, as OpenSCAD's map of them is.
+// Arguments to parameters, left to right: a name binds its parameter, an unnamed one the next position, counting only unnamed ones. OpenSCAD evaluates
+// them in the order of its hash map of names, which shows when arguments echo; a map of the same library, filled in the same order, has the same order.
 Matched Lowering::match(ast::ArgumentRange range, const std::vector<Parameter>& parameters, const Layout& layout, std::size_t positional,
                         LexicalScope& scope) {
     Matched out;
-    std::map<std::string, Passed> by_name;
+    std::unordered_map<std::string, Passed> by_name;
     std::size_t next = 0;
     bool too_many = false;
     for (std::uint32_t i = 0; i < range.count; ++i) {

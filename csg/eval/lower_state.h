@@ -1,7 +1,6 @@
 // lower_state.h — what the parts of the lowering share. Internal to csg/eval.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>

@@ -38,6 +38,11 @@ Stop Machine::run(Scene& scene) {
     } catch (const StopRun& ended) {
         stop = ended.reason;
     }
+    if (stop != Stop::kNone) {  // nothing is made of half a program
+        scene = Scene{};
+        pending_.clear();
+        roots_.clear();
+    }
     finish(scene);
     trail_.clear();
     release(frame);
@@ -69,10 +74,10 @@ void Machine::fail_too_deep(const char* what, NameId name, SourcePlace place, st
     fail(place, std::string("Recursion detected calling ") + what + " '" + names_.text(name) + "'", "does every way through it come to an end?");
 }
 
-void Machine::trace(StopRun& stop, NameId name, SourcePlace place) {
+void Machine::trace(StopRun& stop, std::string_view name, SourcePlace place) {
     if (stop.traces_left <= 0) return;
     --stop.traces_left;
-    say(Severity::kTrace, place, "called by '" + names_.text(name) + "'");
+    say(Severity::kTrace, place, "called by '" + std::string(name) + "'");
 }
 
 void Machine::check_limits() {

@@ -34,7 +34,7 @@ class Machine {
 public:
     Machine(const code::Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics);
 
-    // Runs the main file. The scene holds what was made before a stop.
+    // Runs the main file. The scene is empty after a stop.
     Stop run(Scene& scene);
 
     Heap& heap() { return heap_; }
@@ -91,9 +91,10 @@ private:
     Value call_builtin(std::uint32_t builtin, std::vector<Value>& arguments, std::vector<std::string_view>& names, SourcePlace place);
     Frame* home_frame(const code::Home& home, Frame* frame);
     void set_defaults(const std::vector<code::Parameter>& parameters, const code::Matched& matched, Frame* home, Frame* into);
+    void set_dynamic_defaults(const std::vector<code::Parameter>& parameters, Frame* home);
     void pass_arguments(const code::Matched& matched, Frame* caller, Frame* into, SourcePlace place);
     code::Matched match_values(const std::vector<code::Argument>& arguments, const std::vector<code::Parameter>& parameters, const code::Layout& layout) const;
-    void trace(StopRun& stop, NameId name, SourcePlace place);
+    void trace(StopRun& stop, std::string_view name, SourcePlace place);
 
     // $-variables.
     void set_dynamic(std::uint32_t which, Value value);

@@ -104,6 +104,7 @@ void ProgramReader::add_definitions(std::vector<Token>& tokens, StringPool& stri
 
 bool ProgramReader::parse_file(std::uint32_t index, std::vector<Token> tokens, StringPool strings, std::uint32_t source, std::uint32_t definitions) {
     ParseOptions options;
+    options.sources = &out_.sources;
     options.main_file = source;
     options.definitions_file = definitions;
     FileSyntax& file = *program_.files[index];

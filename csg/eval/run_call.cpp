@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
 #include "csg/eval/builtin.h"
 #include "csg/eval/machine.h"
@@ -37,6 +37,11 @@ void Machine::set_defaults(const std::vector<Parameter>& parameters, const Match
     }
 }
 
+void Machine::set_dynamic_defaults(const std::vector<Parameter>& parameters, Frame* home) {
+    for (const Parameter& p : parameters)
+        if (p.dynamic) set_dynamic(p.target, p.value == code::kNone ? Value() : eval(p.value, home));
+}
+
 void Machine::pass_arguments(const Matched& matched, Frame* caller, Frame* into, SourcePlace place) {
     if (input_.check_parameters)
         for (const std::string& complaint : matched.complaints) warn(place, complaint);
@@ -56,16 +61,14 @@ Value Machine::call_function(const Call& call, Frame* frame, SourcePlace place) 
         Frame* inner = heap_.frame(f.layout.slots, home.get());
         const FrameRef held(inner);
         set_defaults(f.parameters, call.matched, home.get(), inner);
-        if (call.sets_dynamic)
-            for (const Parameter& p : f.parameters)
-                if (p.dynamic) set_dynamic(p.target, p.value == code::kNone ? Value() : eval(p.value, home.get()));
+        if (call.sets_dynamic) set_dynamic_defaults(f.parameters, home.get());
         pass_arguments(call.matched, frame, inner, place);
         retain(inner);
         Value result = run_function(call.function, home.get(), inner, call.name);
         if (trail_.size() > before) undo(before);
         return result;
     } catch (StopRun& stop) {
-        trace(stop, call.name, place);
+        trace(stop, names_.text(call.name), place);
         throw;
     }
 }
@@ -108,6 +111,7 @@ Value Machine::run_function(std::uint32_t function, Frame* home, Frame* frame, N
                 Frame* next = heap_.frame(f.layout.slots, home);
                 FrameRef held(next);
                 set_defaults(f.parameters, call.matched, home, next);
+                set_dynamic_defaults(f.parameters, home);
                 pass_arguments(call.matched, at, next, program_.places[id]);
                 retain(next);
                 current.reset(next);
@@ -124,7 +128,7 @@ Value Machine::run_function(std::uint32_t function, Frame* home, Frame* frame, N
 
 Matched Machine::match_values(const std::vector<Argument>& arguments, const std::vector<Parameter>& parameters, const Layout& layout) const {
     Matched out;
-    std::map<std::string, Passed> by_name;
+    std::unordered_map<std::string, Passed> by_name;
     std::size_t next = 0;
     for (const Argument& a : arguments) {
         NameId name = a.name;
@@ -158,7 +162,7 @@ Matched Machine::match_values(const std::vector<Argument>& arguments, const std:
         }
         by_name[names_.text(name)] = passed;
     }
-    for (const auto& [name, passed] : by_name) out.passed.push_back(passed);
+    for (const auto& [name, passed] : by_name) out.passed.push_back(passed);  // lower.cpp says why this order
     return out;
 }
 
@@ -199,15 +203,14 @@ Value Machine::call_value(TermId id, Frame* frame) {
         Frame* inner = heap_.frame(f.layout.slots, around);
         const FrameRef held(inner);
         set_defaults(f.parameters, matched, around, inner);
-        for (const Parameter& p : f.parameters)
-            if (p.dynamic) set_dynamic(p.target, p.value == code::kNone ? Value() : eval(p.value, around));
+        set_dynamic_defaults(f.parameters, around);
         pass_arguments(matched, frame, inner, place);
         retain(inner);
         Value result = run_function(made.function, around, inner, call.name);
         undo(before);
         return result;
     } catch (StopRun& stop) {
-        trace(stop, call.name, place);
+        trace(stop, names_.text(call.name), place);
         throw;
     }
 }

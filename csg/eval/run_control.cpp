@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "csg/eval/machine.h"
+#include "csg/eval/value_ops.h"
 
 namespace whittle {
 
@@ -37,6 +38,8 @@ void Machine::make_loop_level(const Inst& inst, std::size_t level, Frame* frame)
         for (std::uint32_t i = 0; i < count; ++i) round(Value(range_at(values.range(), i)));
     } else if (values.is_vector()) {
         for (std::uint32_t i = 0; i < values.size(); ++i) round(values[i]);
+    } else if (values.is_string()) {
+        for (std::uint32_t i = 0; i < values.string_object().points; ++i) round(character_at(heap_, values.string_object(), i));
     } else if (!values.is_undef()) {
         round(values);
     }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "csg/eval/builtin.h"
 #include "csg/eval/machine.h"
 #include "csg/eval/nearest.h"
 #include "csg/eval/value_ops.h"
@@ -119,8 +120,13 @@ Value Machine::eval_slow(const Term& node, TermId id, Frame* frame) {
             std::vector<Value> arguments;
             arguments.reserve(node.c);
             std::vector<std::string_view> names;
-            for (std::uint32_t i = 0; i < node.c; ++i) arguments.push_back(eval(program_.lists[node.b + i], frame));
-            return call_builtin(node.a, arguments, names, program_.places[id]);
+            try {
+                for (std::uint32_t i = 0; i < node.c; ++i) arguments.push_back(eval(program_.lists[node.b + i], frame));
+                return call_builtin(node.a, arguments, names, program_.places[id]);
+            } catch (StopRun& stop) {
+                trace(stop, builtin_functions()[node.a].name, program_.places[id]);
+                throw;
+            }
         }
         case Op::kUnknownFunction:
             warn(program_.places[id], "Ignoring unknown function '" + names_.text(node.a) + "'", hint_for_function(program_, names_, node.a));

@@ -41,7 +41,7 @@ void Machine::make(InstId id, Frame* frame) {
     try {
         make_kind(inst, frame);
     } catch (StopRun& stop) {
-        trace(stop, inst.name, inst.place);
+        trace(stop, names_.text(inst.name), inst.place);
         throw;
     }
     if (trail_.size() > before) undo(before);
@@ -79,7 +79,7 @@ void Machine::make_kind(const Inst& inst, Frame* frame) {
     if (inst.children == code::kNone) return;
     const std::size_t first = pending_.size();
     make_scope(inst.children, frame);
-    add_node(inst, scene::Group{"group"}, first);
+    if (pending_.size() > first) add_node(inst, scene::Group{"group"}, first);
 }
 
 // Turns the pending nodes from `first_child` on into the children of a new node, which becomes pending itself.
@@ -155,8 +155,7 @@ void Machine::make_user(const Inst& inst, Frame* frame) {
     ModuleCall call{&inst, outside};
     inner.get()->call = &call;
     set_defaults(module.parameters, inst.matched, home.get(), inner.get());
-    for (const Parameter& p : module.parameters)
-        if (p.dynamic) set_dynamic(p.target, p.value == code::kNone ? Value() : eval(p.value, home.get()));
+    set_dynamic_defaults(module.parameters, home.get());
     pass_arguments(inst.matched, frame, inner.get(), inst.place);
     inner.get()->slots()[module.children_slot] = Value(static_cast<double>(written));
     module_names_.push_back(inst.name);

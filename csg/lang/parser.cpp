@@ -109,13 +109,22 @@ void Parser::add_assignment(ScopeId scope, const Assignment& added) {
     std::vector<Assignment>& all = ast_.scopes[scope].assignments;
     const auto old = std::find_if(all.begin(), all.end(), [&](const Assignment& a) { return a.name == added.name; });
     if (old == all.end()) return all.push_back(added);
-    const bool main_over_include = old->place.file != options_.main_file && added.place.file == options_.main_file;
-    if (!main_over_include && added.place.file != options_.definitions_file) {
-        // OpenSCAD names the line of the first and stands at the second.
-        diagnostics_.add(Severity::kWarning, added.place,
-                         names_.text(added.name) + " was assigned on line " + std::to_string(old->place.line) + " but was overwritten");
-    }
+    warn_of_overwriting(*old, added);
     *old = added;
+}
+
+// Said within one file, and where an include overwrites the main file; not where the main file or -D overwrites, nor for a file read twice.
+void Parser::warn_of_overwriting(const Assignment& old, const Assignment& added) {
+    if (added.place.file == options_.definitions_file || !options_.sources) return;
+    const std::vector<SourceFile>& files = options_.sources->files;
+    const SourceFile &before = files[old.place.file], &now_in = files[added.place.file];
+    const std::string& main_path = files[options_.main_file].path;
+    const bool was_main = before.path == main_path, is_main = now_in.path == main_path;
+    std::string text = names_.text(added.name) + " was assigned on line " + std::to_string(old.place.line);
+    if (was_main && is_main) text += " but was overwritten";
+    else if ((before.path == now_in.path && old.place.line != added.place.line) || (was_main && !is_main)) text += " of \"" + before.name + "\" but was overwritten";
+    else return;
+    diagnostics_.add(Severity::kWarning, added.place, std::move(text));
 }
 
 void Parser::function_definition(ScopeId scope) {

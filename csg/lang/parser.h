@@ -19,7 +19,8 @@ inline constexpr std::uint32_t kMaxNesting = 8000;
 inline constexpr int kMaxSyntaxErrors = 20;
 
 struct ParseOptions {
-    std::uint32_t main_file = 0;       // overwriting a value that an included file set is no mistake
+    const SourceTable* sources = nullptr;         // where the tokens' files are named
+    std::uint32_t main_file = 0;                  // overwriting a value that an included file set is no mistake
     std::uint32_t definitions_file = ast::kNone;  // -D: overwriting is their purpose
 };
 

@@ -44,6 +44,7 @@ private:
     void statement(ast::ScopeId scope);
     void assignment(ast::ScopeId scope);
     void add_assignment(ast::ScopeId scope, const ast::Assignment& assignment);
+    void warn_of_overwriting(const ast::Assignment& old, const ast::Assignment& added);
     void function_definition(ast::ScopeId scope);
     void module_definition(ast::ScopeId scope);
     void instantiation(ast::ScopeId scope);

@@ -125,13 +125,12 @@ private:
         out_ += "]";
     }
     void print_if(const Expr& e) {
-        out_ += "(if(";
+        out_ += "if(";
         print(e.a);
         out_ += ") (";
         print(e.b);
         out_ += ")";
         if (e.c != kNone) parts({" else ("}), print(e.c), parts({")"});
-        out_ += ")";
     }
     void print_for_c(const ForC& loop) {
         out_ += "for(";
