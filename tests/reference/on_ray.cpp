@@ -37,19 +37,33 @@ const OnRay::Series& OnRay::nudged(const Monomial& m) {
     return nudged_[m] = std::move(product);
 }
 
-Polynomial OnRay::along(const Form& support) {
+Polynomial OnRay::unnudged(const Form& support) {
     Polynomial sum;
     for (const auto& [m, c] : support.terms()) sum = sum + c * straight(m);
-    if (!sum.is_zero()) return sum;
+    return sum;
+}
+
+Polynomial OnRay::lowest_nudged(const Form& support) {
     Series series;
     for (const auto& [m, c] : support.terms()) {
         const Series& s = nudged(m);
         if (series.size() < s.size()) series.resize(s.size());
         for (std::size_t i = 0; i < s.size(); ++i) series[i] = series[i] + c * s[i];
     }
-    for (const Polynomial& p : series)
-        if (!p.is_zero()) return p;
+    for (std::size_t i = 1; i < series.size(); ++i)
+        if (!series[i].is_zero()) return series[i];
     return {};
+}
+
+Polynomial OnRay::along(const Form& support) {
+    const Polynomial p = unnudged(support);
+    return p.is_zero() ? lowest_nudged(support) : p;
+}
+
+Polynomial OnRay::leaving(const Form& support) {
+    const Polynomial p = unnudged(support);
+    const Polynomial rest = p.is_zero() ? p : p + Polynomial({-p[0]});
+    return rest.is_zero() ? lowest_nudged(support) : rest;
 }
 
 }  // namespace whittle::reference

@@ -14,8 +14,12 @@ public:
     explicit OnRay(const Ray& ray);
     // The support along o + t d; where that is identically 0, the lowest power of eps that is not, along o + eps v1 + eps^2 v2 + eps^3 v3 + t d.
     Polynomial along(const Form& support);
+    // The same with a root at t = 0 made exact: the constant of the first is left out.
+    Polynomial leaving(const Form& support);
 
 private:
+    Polynomial unnudged(const Form& support);
+    Polynomial lowest_nudged(const Form& support);
     using Series = std::vector<Polynomial>;  // by power of eps
 
     const Polynomial& straight(const Monomial& m);

@@ -110,13 +110,14 @@ bool Evaluator::holds(std::size_t id, const std::vector<bool>& leaf_holds) const
     return false;
 }
 
-Borders Evaluator::borders(const Ray& ray) const {
+Borders Evaluator::borders(const Ray& ray, const std::set<std::uint32_t>& leaving) const {
     OnRay on_ray(ray);
     std::vector<Trace> traces(readers_.size());
     std::vector<int> signs(readers_.size());
     for (std::size_t s = 0; s < readers_.size(); ++s) {
         if (readers_[s].empty()) continue;
-        traces[s] = trace(on_ray.along(tree_.formulas.supports()[s]));
+        const Form& support = tree_.formulas.supports()[s];
+        traces[s] = trace(leaving.count(static_cast<std::uint32_t>(s)) != 0 ? on_ray.leaving(support) : on_ray.along(support));
         signs[s] = traces[s].signs[0];
     }
     std::map<std::uint32_t, std::vector<Passed>> behind;
@@ -154,7 +155,7 @@ Borders Evaluator::borders(const Ray& ray) const {
         const bool now_inside = holds(tree_.root, leaf_holds);
         const bool at_or_before_zero = first->lo.sign() < 0 || first->is_zero();
         border.entering = now_inside;
-        if (now_inside != inside && first->lo.sign() >= 0 && (now_inside || !first->is_zero())) result.borders.push_back(std::move(border));
+        if (now_inside != inside && first->lo.sign() >= 0 && (!first->is_zero() || (now_inside && leaving.empty()))) result.borders.push_back(std::move(border));
         inside = now_inside;
         if (at_or_before_zero) result.starts_inside = inside;
     }

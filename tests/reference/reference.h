@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "csg/solid/solid.h"
@@ -61,7 +62,8 @@ public:
     explicit Evaluator(Tree tree);
     explicit Evaluator(const Solid& solid, const Options& options = {}) : Evaluator(tree_of(solid, options)) {}
 
-    Borders borders(const Ray& ray) const;
+    // With `leaving`: supports of the formulas that the ray starts on, whatever the rounding of its origin; then nothing is reported at t = 0.
+    Borders borders(const Ray& ray, const std::set<std::uint32_t>& leaving = {}) const;
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(tree_.leaves.size()); }
 
 private:

@@ -15,6 +15,7 @@ namespace {
 using reference::Border;
 using reference::Borders;
 using reference::Dyadic;
+using support::to_text;
 
 double about(const Border& b) { return middle(b.lo, b.hi).to_double(); }
 
@@ -118,6 +119,20 @@ std::string any_hit_fault(const Subject& subject, const Ray& ray, const Borders&
     return fmt::format("any_hit up to {:.17g}: not {}\n  reference{}", t_max, wanted, described(want));
 }
 
+// A little way along, a ray that leaves a surface is where the plain ray is that starts there.
+bool is_plausible(const Subject& subject, const Ray& leaving, const Borders& want) {
+    const double way = 0x1p-20 * (1e-3 + length(leaving.origin)) / length(leaving.direction);
+    bool inside = want.starts_inside;
+    for (const Border& b : want.borders) {
+        if (about(b) > way * 0.5 && about(b) < way * 2) return true;
+        if (about(b) < way) inside = b.entering;
+    }
+    Ray there;
+    there.origin = leaving.origin + leaving.direction * way;
+    there.direction = leaving.direction;
+    return subject.exact->borders(there).starts_inside == inside;
+}
+
 // Borders less the intervals (inside or outside) shorter than `least`.
 std::vector<Border> without_slivers(const Borders& b, double least) {
     std::vector<Border> r;
@@ -146,13 +161,15 @@ Subject subject_of(const Solid& solid, bool snap) {
         s.failure = program.error().message;
         return s;
     }
-    auto tree = lowered_tree(solid, snap, s.use_of_leaf);
-    if (!tree) {
-        s.failure = tree.error().message;
+    auto formula = lowered(solid, snap);
+    if (!formula) {
+        s.failure = formula.error().message;
         return s;
     }
     s.program = *program;
-    s.exact = std::make_unique<reference::Evaluator>(std::move(*tree));
+    s.exact = std::make_unique<reference::Evaluator>(std::move(formula->tree));
+    s.use_of_leaf = std::move(formula->use_of_leaf);
+    s.support_of_class = std::move(formula->support_of_class);
     return s;
 }
 
@@ -176,6 +193,31 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
         if (why.empty()) why = any_hit_fault(subject, ray, want, t_max, scratch);
     }
     return why;
+}
+
+std::string continuation_disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally) {
+    Hit hit;
+    if (!first_hit(*subject.program, ray, HUGE_VAL, scratch, hit)) return {};
+    const auto& departure = hit.departure;
+    if (departure.count == 0) return "a hit names no class to leave";
+    if (departure.count == static_cast<int>(departure.classes.size())) return {};  // perhaps more are tied than it holds
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Ray next;
+    next.origin = hit.point;
+    next.departure = &departure;
+    do next.direction = {uniform(random), uniform(random), uniform(random)};
+    while (dot(next.direction, next.direction) < 0.01);
+    std::set<std::uint32_t> leaving;
+    for (int i = 0; i < departure.count; ++i) leaving.insert(subject.support_of_class[departure.classes[static_cast<std::size_t>(i)]]);
+    const Borders want = subject.exact->borders(next, leaving);
+    ++tally.continued;
+    const auto told = [&](const std::string& why) { return fmt::format("leaving at {:.17g} in {}: {}", hit.end.t, to_text(next), why); };
+    if (!is_plausible(subject, next, want)) return told("the reference starts on the wrong side");
+    double first_error = 0;
+    std::string why = spans_fault(subject, next, want, scratch, first_error, tally);
+    if (why.empty()) why = first_hit_fault(subject, next, want, HUGE_VAL, scratch, tally);
+    if (why.empty()) why = any_hit_fault(subject, next, want, HUGE_VAL, scratch);
+    return why.empty() ? why : told(why);
 }
 
 std::string loose_disagreement(const reference::Evaluator& a, const reference::Evaluator& b, const Ray& ray, double size, std::mt19937_64& random,

@@ -14,7 +14,7 @@ namespace whittle::stress {
 struct Subject {
     std::shared_ptr<const Program> program;
     std::unique_ptr<reference::Evaluator> exact;   // of the engine's own formula
-    std::vector<std::uint32_t> use_of_leaf;        // of that formula
+    std::vector<std::uint32_t> use_of_leaf, support_of_class;  // of that formula (lowered.h)
     std::string failure;                           // why there is none
 };
 
@@ -22,13 +22,17 @@ Subject subject_of(const Solid& solid, bool snap);
 
 // What the comparisons met, so that a test can demand that they were not trivial.
 struct Tally {
-    std::uint64_t pairs = 0, borders = 0, from_inside = 0, uncertified = 0, masked = 0, not_compiled = 0;
+    std::uint64_t pairs = 0, borders = 0, from_inside = 0, uncertified = 0, masked = 0, continued = 0, not_compiled = 0;
     double worst_ratio = 0;  // |t - exact t| / t_error
 };
 
 // Empty where all_spans, first_hit and any_hit agree with the reference: number, order and direction of the borders, every t within its bound, the
 // use of each border among those that change there. Otherwise what differs.
 std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally);
+
+// The same for a ray that leaves the first border of `ray` (Ray::departure), in a random direction, against the reference with that root made exact.
+// That reference in turn must be, a little way along, where a plain ray is that starts there.
+std::string continuation_disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally);
 
 // Empty where both references have the same borders, or where the answer of `a` changes when the ray moves by 1e-12 ... 1e-17 of the solid's size (then masked).
 // Intervals shorter than 1e-9 of the size are left out first. For a formula whose numbers were rounded in reading against the solid before.

@@ -87,14 +87,17 @@ public:
     Reader(const Formula& formula, const Classes& classes) : formula_(formula) {
         for (const Frame& f : formula.table.frames) frames_.push_back(reference::pulled_back(reference::root_frame_point(), reference::exact(f.placement)));
         std::vector<Form> of_class;
-        for (const Support& s : classes.supports) of_class.push_back(SupportForm(s, frames_[s.frame])());
+        for (const Support& s : classes.supports) {
+            bool flipped = false;
+            of_class.push_back(SupportForm(s, frames_[s.frame])());
+            out_.support_of_class.push_back(out_.tree.formulas.support(of_class.back(), flipped));
+        }
         for (const ClassOfSupport& c : classes.of) forms_.push_back(c.flipped ? -of_class[c.id] : of_class[c.id]);
     }
 
-    reference::Tree read(std::vector<std::uint32_t>& use_of_leaf) {
+    Lowered read() {
         tree_.root = grow(formula_.root);
-        use_of_leaf = std::move(uses_);
-        return std::move(tree_);
+        return std::move(out_);
     }
 
 private:
@@ -191,20 +194,19 @@ private:
     const Formula& formula_;
     std::vector<FormPoint> frames_;
     std::vector<Form> forms_;  // by support
-    reference::Tree tree_;
-    std::vector<std::uint32_t> uses_;
+    Lowered out_;
+    reference::Tree& tree_ = out_.tree;
+    std::vector<std::uint32_t>& uses_ = out_.use_of_leaf;
 };
 
 }  // namespace
 
-reference::Tree tree_of(const Formula& formula, const Classes& classes, std::vector<std::uint32_t>& use_of_leaf) {
-    return Reader(formula, classes).read(use_of_leaf);
-}
+Lowered lowered(const Formula& formula, const Classes& classes) { return Reader(formula, classes).read(); }
 
-Result<reference::Tree> lowered_tree(const Solid& solid, bool snap, std::vector<std::uint32_t>& use_of_leaf) {
+Result<Lowered> lowered(const Solid& solid, bool snap) {
     const Result<Formula> formula = lower(solid);
     if (!formula) return tl::unexpected<Error>(formula.error());
-    return tree_of(*formula, find_classes(formula->table, snap), use_of_leaf);
+    return lowered(*formula, find_classes(formula->table, snap));
 }
 
 }  // namespace whittle::stress

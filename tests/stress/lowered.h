@@ -11,10 +11,16 @@
 
 namespace whittle::stress {
 
-// Leaves are the formula's leaf nodes, in order of first appearance; `use_of_leaf` gives each its author's leaf use. Requires: nothing moves.
-reference::Tree tree_of(const Formula& formula, const Classes& classes, std::vector<std::uint32_t>& use_of_leaf);
+struct Lowered {
+    reference::Tree tree;                        // its leaves are the formula's leaf nodes, in order of first appearance
+    std::vector<std::uint32_t> use_of_leaf;      // each leaf's author's use
+    std::vector<std::uint32_t> support_of_class;  // the tree's support that a class became
+};
+
+// Requires: nothing moves.
+Lowered lowered(const Formula& formula, const Classes& classes);
 
 // The same for a solid, by the engine's lowering.
-Result<reference::Tree> lowered_tree(const Solid& solid, bool snap, std::vector<std::uint32_t>& use_of_leaf);
+Result<Lowered> lowered(const Solid& solid, bool snap);
 
 }  // namespace whittle::stress

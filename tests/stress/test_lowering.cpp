@@ -21,12 +21,11 @@ bool has_scaled_extrusion(const Solid& solid) {
 }
 
 std::string lowering_fault(const Solid& solid, const Ray& ray, double size) {
-    std::vector<std::uint32_t> uses;
-    auto tree = lowered_tree(solid, false, uses);
-    if (!tree) return tree.error().message;
+    auto formula = lowered(solid, false);
+    if (!formula) return formula.error().message;
     std::mt19937_64 random(1);
     Tally tally;
-    return loose_disagreement(reference::Evaluator(solid), reference::Evaluator(std::move(*tree)), ray, size, random, tally);
+    return loose_disagreement(reference::Evaluator(solid), reference::Evaluator(std::move(formula->tree)), ray, size, random, tally);
 }
 
 void check_theme(Theme theme, int solids, int rays) {
@@ -36,10 +35,9 @@ void check_theme(Theme theme, int solids, int rays) {
         const std::uint64_t seed = random();
         const RandomSolid solid = random_solid(theme, seed);
         if (has_scaled_extrusion(solid.solid)) continue;
-        std::vector<std::uint32_t> uses;
-        auto tree = lowered_tree(solid.solid, false, uses);
-        REQUIRE(tree);
-        const reference::Evaluator a(solid.solid), b(std::move(*tree));
+        auto formula = lowered(solid.solid, false);
+        REQUIRE(formula);
+        const reference::Evaluator a(solid.solid), b(std::move(formula->tree));
         for (int k = 0; k < rays; ++k) {
             const Ray ray = random_ray(solid, random);
             INFO(name_of(theme) << " solid " << seed << "u ray " << to_text(ray));

@@ -28,7 +28,7 @@ public:
 
     RandomSolid make() {
         dice_.pool(theme_ == Theme::kStack || dice_.one_in(2));
-        Known whole = theme_ == Theme::kChain ? chain() : theme_ == Theme::kThin ? thin() : tree(leaf_count());
+        Known whole = recipe();
         if (!whole.bounded) whole = combined(SetOp::kIntersection, {{bounding_box(), {}}, {whole, {}}});
         Use root;
         root.node = whole.node;
@@ -42,6 +42,16 @@ public:
     }
 
 private:
+    Known recipe() {
+        switch (theme_) {
+            case Theme::kChain: return chain();
+            case Theme::kThin: return thin();
+            case Theme::kWedge: return wedge();
+            case Theme::kLadder: return ladder();
+            default: return tree(leaf_count());
+        }
+    }
+
     struct Placed {
         Known what;
         Placement placement;
@@ -193,6 +203,34 @@ private:
         return combined(operation(), std::move(parts));
     }
 
+    // A leaf and another (or itself) turned by very little about an axis through a common face, edge or corner.
+    Known wedge() {
+        const double deg = std::pow(10.0, -dice_.real(4, 11)) * 57.29577951308232;
+        const Known a = leaf(), b = dice_.one_in(2) ? a : leaf();
+        const Known flipped = combined(SetOp::kUnion, {{b, dice_.one_in(2) ? mirror(dice_.integer(0, 2)) : Placement{}}});
+        std::vector<Placed> parts{{a, {}}, {flipped, turn(dice_.integer(0, 2), dice_.one_in(2) ? deg : -deg)}};
+        if (dice_.one_in(3)) parts.push_back({leaf(), placement()});
+        return combined(operation(), std::move(parts));
+    }
+
+    Known ladder() {
+        const double step = 0.6 * std::pow(10.0, -dice_.integer(3, 15));
+        const Known rung = leaf(), other = leaf();
+        const Vec3 way = dice_.one_in(2) ? Vec3(0, 0, 1) : dice_.vector();
+        const bool grows = dice_.one_in(3);
+        Known k = rung;
+        const int n = dice_.integer(2, 12);
+        for (int i = 1; i <= n; ++i) {
+            Placement p = Placement::translation(way * (step * i));
+            if (grows)
+                for (std::size_t j : {0u, 5u, 10u}) p.m[j] = 1 + step * i;
+            std::vector<Placed> operands{{k, {}}, {dice_.one_in(5) ? other : rung, p}};
+            if (dice_.one_in(2)) std::swap(operands[0], operands[1]);
+            k = combined(dice_.one_in(2) ? SetOp::kDifference : operation(), std::move(operands));
+        }
+        return dice_.one_in(2) ? k : combined(SetOp::kUnion, {{k, placement()}, {other, {}}});
+    }
+
     Theme theme_;
     Dice dice_;
     SolidBuilder builder_;
@@ -202,7 +240,7 @@ private:
 }  // namespace
 
 const char* name_of(Theme theme) {
-    constexpr const char* names[kThemes] = {"planes", "round", "everything", "stack", "instances", "chain", "thin", "far"};
+    constexpr const char* names[kThemes] = {"planes", "round", "everything", "stack", "instances", "chain", "thin", "wedge", "ladder", "far"};
     return names[static_cast<int>(theme)];
 }
 

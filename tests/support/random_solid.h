@@ -22,9 +22,11 @@ enum class Theme : std::uint8_t {
     kInstances,    // few nodes used many times below common turns
     kChain,        // a - (b - (c - ...)), deep
     kThin,         // shells and films of 1e-3 ... 1e-15
+    kWedge,        // faces that meet at 1e-4 ... 1e-11 rad
+    kLadder,       // the same shape many times, each 0.6 of some small length further
     kFar           // far from the origin, sizes from 1e-6 to 1e6
 };
-inline constexpr int kThemes = 8;
+inline constexpr int kThemes = 10;
 const char* name_of(Theme theme);
 
 struct RandomSolid {
