@@ -32,6 +32,7 @@ struct Occurrence {
     Bounds box;
     double extent = 0;
     double rounding = 0;
+    double rounding_per_size = 0;  // of an unbounded occurrence: more by this for each unit of the box that bounds it in the end
 };
 
 // All supports and frames of a solid, each once by exact equality; ids by first appearance.
@@ -39,7 +40,9 @@ class SupportTable {
 public:
     SupportTable();
     FrameId frame(const Placement& placement, MotionId motion);
-    SupportId add(const Support& support, const Bounds& box, double rounding);
+    SupportId add(const Support& support, const Bounds& box, double rounding, double rounding_per_size);
+    // Unbounded occurrences (half-spaces, quadrics) touch the solid only inside its box.
+    void bound_by(const Bounds& box);
 
     std::vector<Frame> frames;
     std::vector<Support> supports;

@@ -28,6 +28,8 @@ Result<Formula> FormulaBuilder::run() {
     site.material = &none;
     out_.root = use(solid_.root(), site);
     if (!failure_.empty()) return fail(Fault::kScene, failure_);
+    const FormulaNode& root = out_.nodes[out_.root];
+    if (!root.outside_value && !root.box.empty()) out_.table.bound_by(root.box);
     return std::move(out_);
 }
 

@@ -55,7 +55,7 @@ FrameId SupportTable::frame(const Placement& placement, MotionId motion) {
     return id;
 }
 
-SupportId SupportTable::add(const Support& support, const Bounds& box, double rounding) {
+SupportId SupportTable::add(const Support& support, const Bounds& box, double rounding, double rounding_per_size) {
     const double extent = box.empty() ? 0 : std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
     const std::uint64_t h = hash_of(support.p, static_cast<std::uint64_t>(support.kind) * 8 + support.axis + (std::uint64_t{support.frame} << 8));
     const auto [from, to] = supports_by_hash_.equal_range(h);
@@ -65,13 +65,28 @@ SupportId SupportTable::add(const Support& support, const Bounds& box, double ro
             include(o.box, box);
             o.extent = std::max(o.extent, extent);
             o.rounding = std::max(o.rounding, rounding);
+            o.rounding_per_size = std::max(o.rounding_per_size, rounding_per_size);
             return it->second;
         }
     const auto id = static_cast<SupportId>(supports.size());
     supports.push_back(support);
-    occurrences.push_back({box, extent, rounding});
+    occurrences.push_back({box, extent, rounding, rounding_per_size});
     supports_by_hash_.emplace(h, id);
     return id;
+}
+
+void SupportTable::bound_by(const Bounds& box) {
+    const Vec3 size = box.hi - box.lo;
+    const double extent = std::max({size.x, size.y, size.z});
+    if (!std::isfinite(extent)) return;
+    for (Occurrence& o : occurrences) {
+        if (std::isfinite(o.extent)) continue;
+        o.box = {glm::max(o.box.lo, box.lo), glm::min(o.box.hi, box.hi)};
+        o.extent = extent;
+        double reach = 0;
+        for (int i = 0; i < 3; ++i) reach = std::max({reach, std::abs(box.lo[i]), std::abs(box.hi[i])});
+        o.rounding += o.rounding_per_size * reach;
+    }
 }
 
 Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb) : formula_(formula) {
@@ -84,6 +99,7 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
         for (const double x : {box.lo[i], box.hi[i]})
             if (std::isfinite(x)) size = std::max(size, std::abs(x));
     rounding_ = chain.rounding_for(size);
+    rounding_per_size_ = chain.rounding_for(1) - chain.rounding_for(0);
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
     if (finite && motion == 0) {
         root_box_ = placed_bounds(box, chain.whole());
@@ -118,7 +134,7 @@ HalfSpaceRef Placer::add(SupportKind kind, int axis, std::array<double, 10> p, b
     s.frame = frame_;
     for (double& x : p) x += 0.0;
     s.p = p;
-    return {formula_.table.add(s, root_box_, rounding_), inverted};
+    return {formula_.table.add(s, root_box_, rounding_, rounding_per_size_), inverted};
 }
 
 HalfSpaceRef Placer::axis_plane(int axis, double value, bool below) {

@@ -46,7 +46,7 @@ private:
     FrameId frame_ = 0;
     AxisMap map_;
     Bounds root_box_;
-    double rounding_ = 0;
+    double rounding_ = 0, rounding_per_size_ = 0;
 };
 
 }  // namespace whittle

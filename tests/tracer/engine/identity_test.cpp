@@ -148,7 +148,7 @@ TEST_CASE("instances that touch along a face are whole, also when each has a fra
     const NodeId before = b.combine(SetOp::kUnion, {use(turned), {turned, 0, 0, Placement::translation({cosd(30), sind(30), 0})}});
     const NodeId whole = b.shape(shape::Box{Vec3(0), Vec3(2, 1, 1)});
     const NodeId one = b.combine(SetOp::kUnion, {{whole, 0, 0, about_z(30)}});
-    const Solid solid = b.finish({b.combine(SetOp::kUnion, {use(behind), {before, 0, 0, Placement::translation({10, 0, 0})}, {one, 0, 0, Placement::translation({20, 0, 0})}})});
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(behind), {before, 0, 0, Placement::translation({10, 0, 0})}, {one, 0, 0, Placement::translation({20, 0, 0})}})));
     const auto program = compiled(solid);
     Scratch s;
     Spans spans;
