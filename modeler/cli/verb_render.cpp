@@ -1,4 +1,5 @@
 // verb_render.cpp — whittle render: scene → film → picture files; --watch draws again on every change.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>

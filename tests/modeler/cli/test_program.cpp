@@ -171,7 +171,7 @@ TEST_CASE("counters are written under their fixed names") {
     CHECK(contains(stats, "\"solids.in_scene\": 2"));
     CHECK(contains(stats, "\"loaded.image\": 0"));
     CHECK(contains(stats, "\"rays.camera\": 0"));
-    CHECK(run_whittle(with_small({"render", scene, "-o", folder.name("a.png"), "--stats", folder.name("r.json")})).code == 0);
+    CHECK(run_whittle(with_small({"render", scene, "-o", folder.name("a.tif"), "--stats", folder.name("r.json")})).code == 0);
     CHECK(contains(folder.read("r.json"), "\"loaded.image\": 1"));
     CHECK_FALSE(contains(folder.read("r.json"), "\"rays.camera\": 0"));
 }
