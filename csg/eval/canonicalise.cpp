@@ -19,6 +19,8 @@ const Vec4 kHighlightColour{1, 81 / 255.0, 81 / 255.0, 0.5};
 const Vec4 kBackgroundColour{180 / 255.0, 180 / 255.0, 180 / 255.0, 0.5};
 // $fn from which "facets" and "true curve" look alike and the author may have meant the latter.
 constexpr int kManyFacets = 32;
+// Above it the chord error is below 2^-30 of the radius: no one meant facets, and they would fill the memory.
+constexpr int kMostFacets = 1 << 16;
 // The determinant's forward error: ten roundings on terms whose sizes add up to the permanent.
 constexpr double kDeterminantError = 16 * 0x1p-53;
 
@@ -55,8 +57,9 @@ Canonical Canonicaliser::run() {
     result.something_left_out = something_left_out_;
     Use root = made.use;
     std::vector<Use> shown;  // ghosts first: on a highlighted part the highlight is what is seen
+    if (made.dimension == Dimension::kNone && !ghosts_.empty()) result.is_2d = builder_.is_2d(ghosts_[0].node);
     for (const Use& ghost : ghosts_)
-        if (made.dimension == Dimension::kNone || builder_.is_2d(ghost.node) == result.is_2d) shown.push_back(ghost);
+        if (builder_.is_2d(ghost.node) == result.is_2d) shown.push_back(ghost);
     if (!shown.empty()) {
         shown.push_back(root);
         root = Use{};
@@ -248,6 +251,10 @@ int Canonicaliser::facets_of_circle(const SceneNode& node, double r) {
     if (!asked && options_.curves != Curves::kFaceted) return 0;
     const int n = fragments(r, resolution(node));
     if (options_.curves == Curves::kExact && n >= options_.exact_threshold) return 0;
+    if (n > kMostFacets) {
+        diagnostics_.add(Severity::kWarning, node.place, fmt::format("More than {} facets asked for, made a true curve", kMostFacets));
+        return 0;
+    }
     if (options_.curves == Curves::kAuto && n >= kManyFacets) {
         ++faceted_solids_;
         largest_fn_ = std::max(largest_fn_, fn);

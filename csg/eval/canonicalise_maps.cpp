@@ -164,6 +164,8 @@ Made Canonicaliser::resized(SceneNodeId id, const scene::Resize& what) {
     for (int i = 0; i < 3; ++i)
         if (what.automatic[static_cast<std::size_t>(i)] && what.size[i] == 0 && (i < 2 || made.dimension == Dimension::kSolid)) factor[i] = largest;
     const Placement scale{{factor.x, 0, 0, 0, 0, factor.y, 0, 0, 0, 0, factor.z, 0}};
+    for (int i = 0; i < 3; ++i)
+        if (!(factor[i] > 0 && std::isfinite(factor[i]))) return left_out(node.place, "resize() beyond all numbers, left out");
     place_ghosts(ghosts_before, scale);
     made.use = builder_.placed(scale, made.use);
     return made;

@@ -79,6 +79,12 @@ TEST_CASE("$fn asks for facets, and --curves overrides") {
     CHECK(root_shape<shape::FacetedBall>(a.canonical({ball(0)}, faceted)).n == 30);
 }
 
+TEST_CASE("facets beyond all memory become the true curve") {
+    Author a;
+    CHECK(root_shape<shape::Disc>(a.canonical({a.add(scene::Circle{10}, {}, 1e300)})).r == 10);
+    CHECK(a.said("More than 65536 facets asked for, made a true curve"));
+}
+
 TEST_CASE("many facets are noted once, with their number") {
     Author a;
     a.canonical({a.add(scene::Sphere{10}, {}, 100), a.add(scene::Cylinder{}, {}, 64), a.add(scene::Circle{}, {}, 8)});
@@ -163,6 +169,15 @@ TEST_CASE("a preview shows background and highlight where they stand") {
     const Canonical c = a.canonical({a.add(kCube), ghost}, preview);
     CHECK(c.solid.root_bounds() == Bounds{Vec3(0), {60, 10, 10}});
     CHECK(a.canonical({a.add(kCube), ghost}).solid.root_bounds() == Bounds{Vec3(0), Vec3(10)});
+}
+
+TEST_CASE("a preview of nothing but ghosts keeps to one dimension") {
+    Author a;
+    CanonicaliseOptions preview;
+    preview.preview = true;
+    const Canonical c = a.canonical({a.add(scene::Square{}, {}, 0, kBackground), a.add(kCube, {}, 0, kBackground)}, preview);
+    CHECK(c.is_2d);
+    CHECK(c.solid.root_bounds() == Bounds{Vec3(0), {1, 1, 0}});
 }
 
 TEST_CASE("the outermost colour wins and leaves know their place") {
