@@ -250,7 +250,8 @@ Result<LeafDistances> LeafDistances::of(const Solid& solid) {
     LeafDistances r;
     if (!Gatherer(solid, r.leaves_).walk(solid.root(), Placement{}, {}))
         return fail(Fault::kScene, "check does not know the surface of an extrusion that is twisted in slices");
-    r.any_curved_ = std::any_of(r.leaves_.begin(), r.leaves_.end(), is_curved);
+    const auto flat = std::stable_partition(r.leaves_.begin(), r.leaves_.end(), is_curved);
+    r.curved_ = static_cast<std::size_t>(flat - r.leaves_.begin());
     r.grid_ = std::make_unique<Grid>();
     Grid& grid = *r.grid_;
     grid.box = solid.root_bounds();
@@ -273,9 +274,12 @@ LeafDistances::Nearest LeafDistances::nearest(Vec3 p, double curved_bound, doubl
         if (d.curved < kInfiniteDistance) take(d.curved, curved_bound);
         if (d.flat < kInfiniteDistance) take(d.flat, flat_bound);
     };
+    // Curved leaves come first in a cell; flat ones matter only where none of those explains the point.
     grid_->over(p - far, p + far, [&](std::size_t cell) {
-        for (const std::uint32_t i : grid_->cells[cell])
+        for (const std::uint32_t i : grid_->cells[cell]) {
+            if (i >= curved_ && best.ratio <= 1) break;
             if (distance_to_bounds(leaves_[i].bounds, p) <= far) offer(leaves_[i]);
+        }
     });
     if (best.distance < kInfiniteDistance) return best;
     for (const PlacedLeaf& leaf : leaves_)

@@ -52,10 +52,11 @@ public:
         double bound = 0;
         SourcePlace place;
     };
-    // The leaf whose boundary is nearest to p, measured in bounds. Leaves farther than `reach` times the greater bound need not be seen.
+    // The leaf whose boundary is nearest to p, measured in bounds. Leaves farther than `reach` times the greater bound need not be seen, and where a
+    // curved leaf explains p (ratio <= 1) flat ones need not either: the ratio may then be too large, never on the wrong side of 1.
     Nearest nearest(Vec3 p, double curved_bound, double flat_bound, double reach) const;
 
-    bool any_curved() const { return any_curved_; }
+    bool any_curved() const { return curved_ > 0; }
     std::size_t size() const { return leaves_.size(); }
 
 private:
@@ -63,7 +64,7 @@ private:
     struct Grid;
     std::vector<PlacedLeaf> leaves_;
     std::unique_ptr<Grid> grid_;
-    bool any_curved_ = false;
+    std::size_t curved_ = 0;  // the first so many leaves have curved faces
 };
 
 // Of one leaf's boundary, from a point of the root frame.

@@ -19,7 +19,9 @@ namespace {
 // Work that about a second allows, in units of a primitive's test; a line costs some of its own.
 constexpr double kWorkBudget = 2e7;
 constexpr double kWorkOfALine = 12;
-constexpr double kLeastLines = 256, kMostLines = 32768;  // of a direction of a randomisation
+// An edge of an outline costs every line that comes near; the engine's counter of tests does not see it.
+constexpr double kWorkOfAnEdge = 0.1;
+constexpr double kLeastLines = 256, kMostLines = 16384;  // of a direction of a randomisation
 
 // A direction and the rectangle across it that the solid's box is seen in.
 struct Sheet {
@@ -100,13 +102,23 @@ SheetSums sum_sheets(const MeasureJob& job, std::uint64_t randomisation, double 
     return r;
 }
 
+std::size_t outline_edges(const Solid& solid) {
+    std::size_t edges = 0;
+    for (NodeId id = 0; id < solid.node_count(); ++id)
+        if (const auto* shape = std::get_if<Shape>(&solid.node(id)))
+            if (const auto* polygon = std::get_if<shape::Polygon>(shape))
+                for (const std::vector<Vec2>& contour : *polygon->contours) edges += contour.size();
+    return edges;
+}
+
 // Lines of a sheet. The work of a line is counted on lines that enter no result.
 double lines_of_sheet(const MeasureJob& job, EngineCounters& counters) {
     if (job.options.lines != 0) return std::max(1.0, static_cast<double>(job.options.lines) / (3 * kRandomisations));
     EngineCounters pilot;
     const SheetSums counted = sum_sheets(job, std::numeric_limits<std::uint64_t>::max(), kLeastLines, pilot);
     counters += pilot;
-    const double work = kWorkOfALine + static_cast<double>(pilot.primitive_tests) / static_cast<double>(counted.lines);
+    const double work = kWorkOfALine + static_cast<double>(pilot.primitive_tests) / static_cast<double>(counted.lines) +
+                        kWorkOfAnEdge * static_cast<double>(outline_edges(job.solid));
     return std::clamp(kWorkBudget / (work * 3 * kRandomisations), kLeastLines, kMostLines);
 }
 
