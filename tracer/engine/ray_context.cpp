@@ -94,6 +94,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
 
 int RayContext::compare_closely(const Event& a, const Event& b) {
     if (a.id == b.id) return a.id == kNoClass ? (a.t > b.t) - (a.t < b.t) : (a.index > b.index) - (a.index < b.index);
+    if (a.error == 0 && b.error == 0) return (a.t > b.t) - (a.t < b.t);
     ++counters_->escalated_double_double;
     double ah = 0, al = 0, ae = 0, bh = 0, bl = 0, be = 0;
     if (fine(a, ah, al, ae) && fine(b, bh, bl, be)) {
