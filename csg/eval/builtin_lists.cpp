@@ -119,14 +119,14 @@ std::optional<Pair> number_pair(const Value& v) {
 // Between the nearest keys on either side, linearly; beyond the ends, the end's value. The table need not be sorted.
 Value function_lookup(FunctionCall& call) {
     if (call.count() != 2) return wrong_count(call);
-    if (!call[0].is_number()) {
+    if (!call[0].is_number() || !std::isfinite(call[0].number())) {
         call.machine.warn(call.place, fmt::format("lookup({}, ...) first argument is not a number", call.machine.text_of(call[0])));
         return {};
     }
     if (!call[1].is_vector()) return {};
     const Value& table = call[1];
     const double p = call[0].number();
-    if (!std::isfinite(p) || table.size() == 0) return {};
+    if (table.size() == 0) return {};
     const std::optional<Pair> first = number_pair(table[0]);
     if (!first) return {};
     Pair low = *first, high = *first;

@@ -89,10 +89,13 @@ Result<Evaluated> evaluate(const EvaluateInput& input, Outside& outside) {
 
 std::string echo_text(const Diagnostics& diagnostics, const SourceTable& sources) {
     std::string out;
+    bool unreadable = false;
     for (const Diagnostic& d : diagnostics.all()) {
         if (d.severity == Severity::kNote) continue;
+        unreadable |= d.severity == Severity::kError && d.text.rfind("Parser error", 0) == 0;
         out += format_line(d, sources) + "\n";
     }
+    if (unreadable) out += "Can't parse file '" + sources.files[0].path + "'!\n\n";
     return out;
 }
 

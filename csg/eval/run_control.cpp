@@ -97,7 +97,7 @@ void Machine::make_children(const Inst& inst, Frame* frame) {
     if (which.is_vector()) {
         for (std::uint32_t i = 0; i < which.size(); ++i)
             if (which[i].is_number()) make_child(call, which[i].number(), inst);
-            else warn(inst.place, "Bad parameter type (" + text_of(which[i]) + ") for children, only accept: empty, number, vector, range.");
+            else warn({}, "Bad parameter type (" + bare_text_of(which[i]) + ") for children, only accept: empty, number, vector, range.");
     } else if (which.is_range()) {
         const std::uint32_t count = range_count(which.range());
         if (count >= kMaxModuleIterations)

@@ -208,7 +208,7 @@ private:
 
 // Number of elements of a range: 0 in the wrong direction or for nan, 2^32-1 when endless.
 std::uint32_t range_count(const RangeObject& range);
-inline double range_at(const RangeObject& range, std::uint32_t index) { return range.begin + range.step * index; }
+inline double range_at(const RangeObject& range, std::uint32_t index) { return index == 0 ? range.begin : range.begin + range.step * index; }
 
 // Lists are compared and printed by recursion; deeper ones are refused when made.
 inline constexpr std::uint32_t kMaxValueNesting = 20000;

@@ -84,7 +84,7 @@ private:
                 const std::size_t end = text_.find("*/", position_ + 2);
                 if (end == std::string::npos) {
                     skip(text_.size());
-                    add_text(Tok::kBad, here(), "comment that starts in line " + std::to_string(start.line) + " has no end");
+                    add_text(Tok::kBad, here(), "Unterminated comment|the comment starts in line " + std::to_string(start.line));
                     return false;
                 }
                 skip(end + 2 - position_);
@@ -159,7 +159,7 @@ private:
         while (position_ + length < text_.size() && at(length) != '>' && at(length) != '\n') ++length;
         if (at(length) != '>') {
             skip(length);
-            add_text(Tok::kBad, here(), "the path has no '>'");
+            add_text(Tok::kBad, here(), kind == Tok::kUse ? "Unterminated use statement|the path has no '>'" : "Unterminated include statement|the path has no '>'");
             return true;
         }
         std::string path = text_.substr(position_, length);
@@ -216,7 +216,7 @@ private:
             if (at() != '\n' && at() != '\r') out.push_back(at());
             skip(1);
         }
-        if (done()) return add_text(Tok::kBad, here(), "string that starts in line " + std::to_string(place.line) + " has no closing quote");
+        if (done()) return add_text(Tok::kBad, here(), "Unterminated string|the string starts in line " + std::to_string(place.line));
         skip(1);
         add_text(Tok::kString, place, std::move(out));
     }
@@ -243,7 +243,7 @@ private:
             }
         std::size_t length = 1;
         while ((static_cast<unsigned char>(at(length)) & 0xC0) == 0x80) ++length;
-        add_text(Tok::kBad, place, "the character '" + text_.substr(position_, length) + "' has no meaning here");
+        add_text(Tok::kBad, place, "syntax error|the character '" + text_.substr(position_, length) + "' has no meaning here");
         skip(length);
     }
 

@@ -25,8 +25,14 @@ bool Parser::run() {
 }
 
 void Parser::syntax_error(std::string hint) {
-    if (kind() == Tok::kBad) hint = ast_.strings[now().text];
-    diagnostics_.add(Severity::kError, now().place, "Parser error: syntax error", std::move(hint));
+    std::string what = "syntax error";
+    if (kind() == Tok::kBad) {  // the lexer's complaint: what, then a hint
+        const std::string& complaint = ast_.strings[now().text];
+        const std::size_t bar = complaint.find('|');
+        what = complaint.substr(0, bar);
+        hint = complaint.substr(bar + 1);
+    }
+    diagnostics_.add(Severity::kError, now().place, "Parser error: " + what, std::move(hint));
     if (++errors_ >= kMaxSyntaxErrors) throw TooManyErrors{};
     throw SyntaxError{};
 }

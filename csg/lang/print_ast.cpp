@@ -51,7 +51,7 @@ public:
             case ExprKind::kUnary: parts({sign(e.op)}), print(e.a); return;
             case ExprKind::kBinary: print_infix(e); return;
             case ExprKind::kTernary: parts({"("}), print(e.a), parts({" ? "}), print(e.b), parts({" : "}), print(e.c), parts({")"}); return;
-            case ExprKind::kCall: print(e.a), parts({"("}), arguments({e.b, e.c}), parts({")"}); return;
+            case ExprKind::kCall: print_callee(e.a), parts({"("}), arguments({e.b, e.c}), parts({")"}); return;
             case ExprKind::kIndex: print(e.a), parts({"["}), print(e.b), parts({"]"}); return;
             case ExprKind::kMember: print(e.a), parts({".", names_.text(e.b)}); return;
             case ExprKind::kVector: print_vector(e); return;
@@ -89,6 +89,12 @@ private:
         if (e.a == kNone) return;
         if (e.kind == ExprKind::kAssert || e.kind == ExprKind::kEcho) out_ += " ";
         print(e.a);
+    }
+    void print_callee(ExprId id) {
+        const bool named = tree_.exprs[id].kind == ExprKind::kName;
+        if (!named) out_ += "(";
+        print(id);
+        if (!named) out_ += ")";
     }
     void print_string(const std::string& text) {
         out_ += '"';

@@ -9,7 +9,7 @@
 namespace whittle {
 
 enum class Tok : std::uint8_t {
-    kEnd, kBad,  // kBad: a character or an unfinished string that no rule takes; Token::text says what in words
+    kEnd, kBad,  // kBad: a character or an unfinished string that no rule takes; Token::text is "what|hint"
     kNumber, kString, kIdentifier, kUse, kInclude,
     kModule, kFunction, kIf, kElse, kLet, kAssert, kEcho, kFor, kEach, kTrue, kFalse, kUndef,
     kSemicolon, kComma, kDot, kColon, kQuestion, kAssign,

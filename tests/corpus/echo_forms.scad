@@ -1,0 +1,11 @@
+echo();
+echo(1);
+echo("a", b=2, [1,"x"], undef, true);
+echo(x=undef, y=[0:1]);
+v = echo("expr") 5;
+echo(v);
+w = echo("only");
+echo(w);
+echo("with child") cube(1);
+function f(x) = echo("in f", x) x*2;
+echo(f(2));

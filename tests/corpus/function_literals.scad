@@ -1,0 +1,15 @@
+sq = function(x) x*x;
+add = function(x, y=3) x + y;
+echo(sq(4), add(1), add(1,2), add(y=1,x=2));
+echo((function(x) x+1)(2));
+compose = function(f, g) function(x) f(g(x));
+echo(compose(sq, add)(2));
+fact = function(n) n <= 1 ? 1 : n * fact(n-1);
+echo(fact(10));
+v = [sq, add];
+echo(v[0](5), v[1](5));
+function apply(f, x) = f(x);
+echo(apply(sq, 3), apply(function(x) -x, 3));
+echo(sq, add, is_function(sq), is_function(5));
+counter = function(n) n == 0 ? "end" : counter(n-1);
+echo(counter(1000));

@@ -1,0 +1,2 @@
+use <cycle_b.scad>
+function from_a(n) = n > 3 ? n : from_b(n+1);

@@ -1,0 +1,2 @@
+rotate([10,20,30]) cube(); rotate(45) cube(); rotate([90]) cube(); rotate([90,0]) cube(); rotate(30,[1,1,0]) cube(); rotate(a=180,v=[0,1,0]) cube(); rotate([30,45,60]) cube(); rotate([90,180,270]) cube(); rotate(-120,[1,1,1]) cube();
+rotate("a") cube(); rotate() cube(); rotate([1,"a"]) cube(); rotate([1,2,3],[1,1,1]) cube(); rotate(a=45,v="x") cube(); rotate(a="q",v=[1,0,0]) cube(); rotate(v=[1,0,0]) cube(); rotate(45,[0,0,0]) cube(); rotate(a="q",v="w") cube(); rotate([1,2,3,4]) cube(); rotate(1/0) cube();

@@ -1,0 +1,1 @@
+rotate_extrude() translate([2,0]) circle(1); rotate_extrude(angle=90) square(1); rotate_extrude(angle=720) square(1); rotate_extrude(angle=-45,$fn=6) square(1); rotate_extrude(convexity=5) square(1); rotate_extrude(angle="a") square(1); rotate_extrude(angle=0) square(1); rotate_extrude(angle=360) square(1); rotate_extrude(angle=-360) square(1);

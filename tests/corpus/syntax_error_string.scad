@@ -1,0 +1,2 @@
+echo("never closed);
+cube(1);

@@ -1,0 +1,1 @@
+translate([1,2,3]) cube(); translate([1,2]) cube(); translate() cube(); translate("a") cube(); translate([1]) cube(); translate([1,2,3,4]) cube(); translate([1,"b",3]) cube(); translate(v=[0,0,1e7]) cube(); translate([1e-7,-0,0.1]) cube(); translate([1/0,0,0]) cube();

@@ -1,0 +1,2 @@
+use <lib/cycle_a.scad>
+echo(from_a(1));
