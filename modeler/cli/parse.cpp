@@ -63,7 +63,7 @@ public:
         if (verb_ && verb_->verb == Verb::kSpans) declare_spans();
         const bool writes = !verb_ || verb_->verb == Verb::kRender || verb_->verb == Verb::kMesh || verb_->verb == Verb::kMerge;
         if (writes) list("-o", "FILE", "Output; its suffix chooses the format. May be given more than once", request_.outputs, "Files");
-        app_.add_option("FILE", request_.inputs, "The scene; - is standard input")->group("Files");
+        app_.add_option("FILE", request_.inputs, "The scene; - is standard input")->type_name("")->group("Files");
     }
 
     CLI::App& app() { return app_; }
@@ -281,9 +281,17 @@ std::string overview() {
     return text + "\n`whittle VERB --help` lists a verb's options; below, those of the form without a verb.\n\n";
 }
 
+// CLI11 marks an option that may be given again with " ..."; here nearly all may.
+void drop_dots(std::string& text) {
+    for (auto at = text.find(" ..."); at != std::string::npos; at = text.find(" ...", at))
+        if (text[at + 4] == '\n') text.erase(at, 4);
+        else text.replace(at, 4, "    ");
+}
+
 std::string help_text(const VerbInfo* verb, CLI::App& app) {
     std::string text = verb ? fmt::format("whittle {} {}\n\n{}\n\n", verb->name, verb->usage, verb->summary) : overview();
     std::string options = app.help();
+    drop_dots(options);
     const auto usage_end = options.find('\n');
     text += usage_end == std::string::npos ? options : options.substr(usage_end + 1);
     return text + "\nExit codes: 0 done, 1 the scene is wrong, 2 the command line is wrong, 3 the world is wrong (files, memory, time), "

@@ -1,0 +1,54 @@
+# whittle.bash — completion of whittle's verbs, options and values for bash.
+_whittle() {
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]} options
+    case $previous in
+        --progress) COMPREPLY=($(compgen -W "auto never json" -- "$current")); return ;;
+        --diagnostics) COMPREPLY=($(compgen -W "text json" -- "$current")); return ;;
+        --curves) COMPREPLY=($(compgen -W "auto exact faceted" -- "$current")); return ;;
+        --projection) COMPREPLY=($(compgen -W "p o" -- "$current")); return ;;
+        --tonemap) COMPREPLY=($(compgen -W "srgb filmic linear" -- "$current")); return ;;
+        --exr) COMPREPLY=($(compgen -W "half float" -- "$current")); return ;;
+        --integrator) COMPREPLY=($(compgen -W "auto preview whitted distributed path caustics cone" -- "$current")); return ;;
+        --aov) COMPREPLY=($(compgen -W "depth position normal solid surface albedo spans thickness certified cost variance" -- "$current")); return ;;
+        --check-parameters) COMPREPLY=($(compgen -W "true false" -- "$current")); return ;;
+        --export-format) COMPREPLY=($(compgen -W "png exr jpg tif stl asciistl binstl off obj ply csg echo" -- "$current")); return ;;
+        -o | -d | -p | --stats | --rays) COMPREPLY=($(compgen -f -- "$current")); return ;;
+    esac
+    case $verb in
+        render)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
+                --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
+                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard -o" ;;
+        mesh)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --binary
+                --ascii --report -o" ;;
+        check)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --lines" ;;
+        measure)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable" ;;
+        spans)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --ray --rays" ;;
+        merge)
+            options="-h --help -v --version --threads --seed --progress --diagnostics --json -q --stats --limit-time --limit-memory --disable
+                -o" ;;
+        *)
+            options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
+                --render --preview --imgsize --camera --viewall --autocenter --projection --samples --light-samples
+                --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
+                --watch --tile --shard --tolerance --angle --binary --ascii --report -o" ;;
+    esac
+    if [[ $current == -* ]]; then
+        COMPREPLY=($(compgen -W "$options" -- "$current"))
+        return
+    fi
+    [[ $COMP_CWORD -eq 1 ]] && COMPREPLY=($(compgen -W "render mesh check measure spans merge bench" -- "$current"))
+    COMPREPLY+=($(compgen -f -X '!*.@(scad|csg|exr)' -- "$current") $(compgen -d -- "$current"))
+}
+shopt -s extglob
+complete -o filenames -F _whittle whittle
