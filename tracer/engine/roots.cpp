@@ -13,72 +13,15 @@ constexpr double u = kUnitRoundoff;
 
 double magnitude(double x) { return std::abs(x); }
 
-// A linear form along the ray: value v at the origin chosen, slope s, with bounds.
-struct Form {
-    double v, ev, s, es;
-};
+using Form = single::LinearForm<double>;
 
-bool solve_plane(double v, double ev, double s, double es, Crossings& out) {
-    if (magnitude(s) > es) {
-        const double t = -v / s;
-        out.t[0] = t;
-        out.error[0] = (ev + magnitude(t) * es) / (magnitude(s) - es) * (1 + 8 * u) + 2 * u * magnitude(t);
-        out.count = 1;
-        out.first_sign = s > 0 ? -1 : 1;
-        return std::isfinite(t);
-    }
-    if (s != 0 || es != 0 || !(magnitude(v) > ev)) return false;
-    out.count = 0;
-    out.first_sign = v > 0 ? 1 : -1;
-    return true;
-}
-
-// The sum of n_i (x_i - a_i) - d, where n_i carries the error en_i.
-Form plane_form(const std::array<double, 3>& n, const std::array<double, 3>& en, const std::array<double, 3>& a, double d, const FrameRay& ray) {
-    Form f{-d, 0, 0, 0};
-    double size = magnitude(d), slope_size = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double q = ray.o[i] - a[i];
-        const double term = n[i] * q, slope = n[i] * ray.d[i];
-        f.v += term;
-        f.s += slope;
-        size += magnitude(term);
-        slope_size += magnitude(slope);
-        f.ev += en[i] * magnitude(q) + (magnitude(n[i]) + en[i]) * ray.eo[i];
-        f.es += en[i] * magnitude(ray.d[i]) + (magnitude(n[i]) + en[i]) * ray.ed[i];
-    }
-    f.ev = f.ev * (1 + 16 * u) + 6 * u * size;
-    f.es = f.es * (1 + 16 * u) + 4 * u * slope_size;
-    return f;
-}
-
-Form plane_form(const Support& s, const FrameRay& ray) {
-    const auto& p = s.p;
-    if (s.kind == SupportKind::kAxisPlane) {
-        const double v = ray.o[s.axis] - p[0];
-        return {v, u * magnitude(v) + ray.eo[s.axis], ray.d[s.axis], ray.ed[s.axis]};
-    }
-    if (s.kind == SupportKind::kPlane) return plane_form({p[0], p[1], p[2]}, {0, 0, 0}, {0, 0, 0}, p[3], ray);
-    std::array<double, 3> n{}, en{}, a{};
-    if (s.kind == SupportKind::kEdgePlane) {
-        const std::size_t i = (s.axis + 1u) % 3, j = (s.axis + 2u) % 3;
-        n[i] = p[3] - p[1];
-        n[j] = p[0] - p[2];
-        a[i] = p[0];
-        a[j] = p[1];
-        en[i] = u * magnitude(n[i]);
-        en[j] = u * magnitude(n[j]);
-        return plane_form(n, en, a, 0, ray);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        const double aj = p[3 + j] - p[j], ak = p[3 + k] - p[k], bj = p[6 + j] - p[j], bk = p[6 + k] - p[k];
-        const double x = aj * bk, y = ak * bj;
-        n[i] = x - y;
-        en[i] = 5 * u * (magnitude(x) + magnitude(y));
-        a[i] = p[i];
-    }
-    return plane_form(n, en, a, 0, ray);
+bool solve_plane(const Form& f, Crossings& out) {
+    const auto c = single::plane_crossing<double>(f);
+    out.t[0] = c.t;
+    out.error[0] = c.error;
+    out.count = c.met ? 1 : 0;
+    out.first_sign = c.outside ? 1 : -1;
+    return c.met || c.missed;
 }
 
 // A t^2 + 2 B t + C with bounds.
@@ -226,12 +169,6 @@ Quadratic quadratic_near(const Support& s, const FrameRay& ray, double& t0) {
     }
 }
 
-// Bound of sqrt(disc)'s error: 1 - sqrt(1 - r) <= r (1 + r) / 2 for r in [0, 1]. Requires: the error is less than h squared.
-double root_error(double error, double h) {
-    const double inverse = 1 / h, share = error * inverse;
-    return 0.5 * share * (1 + share * inverse) * (1 + 8 * u) + u * h;
-}
-
 // Two crossings at t0 + s, s the roots of the quadratic; or none; false where a sign is not certain.
 bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
     if (!(magnitude(q.a) > q.ea)) {
@@ -249,7 +186,7 @@ bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
         return true;
     }
     if (!(disc > edisc)) return false;
-    const double h = std::sqrt(disc), eh = root_error(edisc, h);
+    const double h = std::sqrt(disc), eh = single::root_error(edisc, h);
     const double m = -(q.b + std::copysign(h, q.b)), em = q.eb + eh + u * magnitude(m);
     const double r1 = m / q.a, r2 = q.c / m;
     const double e1 = (em + magnitude(r1) * q.ea) / (magnitude(q.a) - q.ea) + u * magnitude(r1);
@@ -267,97 +204,35 @@ bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
     return std::isfinite(t1) && std::isfinite(t2);
 }
 
-// Balls (n = 3) and cylinders (n = 2) in a straight line: solve_quadratic specialised to a sum of squares, seen from the closest approach.
 template <std::size_t n>
 bool round_crossings(const std::array<std::size_t, n>& axes, const std::array<double, n>& centre, double r, const FrameRay& ray, Crossings& out) {
-    std::array<double, n> o, d;
-    double a = 0, along = 0, ea = 0;
+    std::array<double, n> o, eo, d, ed;
     for (std::size_t i = 0; i < n; ++i) {
         o[i] = ray.o[axes[i]] - centre[i];
         d[i] = ray.d[axes[i]];
-        a += d[i] * d[i];
-        along += o[i] * d[i];
-        ea += 2 * magnitude(d[i]) * ray.ed[axes[i]] + ray.ed[axes[i]] * ray.ed[axes[i]];
+        eo[i] = ray.eo[axes[i]];
+        ed[i] = ray.ed[axes[i]];
     }
-    ea += 4 * u * a;
-    if (!(a > 2 * ea)) {
-        if (a != 0 || ea != 0) return false;
-    }
-    const double ia = a > 0 ? 1 / a : 0, t0 = -along * ia;
-    double b = 0, c = -(r * r), eb = 0, ec = 0, bb = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double step = t0 * d[i], p = o[i] + step;
-        const double ep = ray.eo[axes[i]] + magnitude(t0) * ray.ed[axes[i]] + 3 * u * (magnitude(o[i]) + magnitude(step));
-        const double pd = p * d[i];
-        b += pd;
-        c += p * p;
-        bb += magnitude(pd);
-        eb += magnitude(d[i]) * ep + magnitude(p) * ray.ed[axes[i]] + ep * ray.ed[axes[i]];
-        ec += (2 * magnitude(p) + ep) * ep;
-    }
-    eb += 4 * u * bb;
-    ec += 4 * u * (c + 2 * r * r);
-    if (a == 0) {
-        out.count = 0;
-        out.first_sign = c > 0 ? 1 : -1;
-        return magnitude(c) > ec;
-    }
-    out.first_sign = 1;
-    // b is rounding alone, so roots are -b/a -+ h/a without cancellation.
-    const double square = b * b, product = a * c, disc = square - product;
-    const double edisc = 2 * magnitude(b) * eb + eb * eb + a * ec + magnitude(c) * ea + ea * ec + 4 * u * (square + magnitude(product));
-    if (disc < -edisc) {
-        out.count = 0;
-        return true;
-    }
-    if (!(disc > edisc)) return false;
-    const double h = std::sqrt(disc), shift = -b * ia, half = h * ia;
-    // 1 / (a - ea) <= (1 + 2 ea / a) / a, as a > 2 ea.
-    const double spread = (eb + root_error(edisc, h) + (magnitude(shift) + half) * ea) * ia * (1 + 2 * ea * ia + 8 * u) + 3 * u * (magnitude(shift) + half);
-    out.count = 2;
-    out.t[0] = t0 + (shift - half);
-    out.t[1] = t0 + (shift + half);
-    out.error[0] = spread + u * magnitude(out.t[0]);
-    out.error[1] = spread + u * magnitude(out.t[1]);
-    return std::isfinite(out.t[0]) && std::isfinite(out.t[1]);
+    const auto c = single::round_crossing(o, eo, single::round_direction(d, ed), r);
+    out.count = c.met ? 2 : 0;
+    out.first_sign = c.within ? -1 : 1;
+    out.t[0] = c.t0;
+    out.t[1] = c.t1;
+    out.error[0] = c.error0;
+    out.error[1] = c.error1;
+    return c.met || c.missed;
 }
 
 }  // namespace
 
 FrameRay ray_in_frame(const Frame& frame, const Ray& ray) {
-    FrameRay r;
-    if (frame.identity) {
-        for (int i = 0; i < 3; ++i) {
-            r.o[i] = ray.origin[i];
-            r.d[i] = ray.direction[i];
-            r.eo[i] = r.ed[i] = 0;
-        }
-        return r;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        double o = 0, d = 0, so = 0, sd = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            const double k = frame.inverse[3 * i + j];
-            const double from = ray.origin[static_cast<int>(j)] - frame.placement.offset(static_cast<int>(j));
-            const double x = k * from, y = k * ray.direction[static_cast<int>(j)];
-            o += x;
-            d += y;
-            so += magnitude(x);
-            sd += magnitude(y);
-        }
-        r.o[i] = o;
-        r.d[i] = d;
-        // Inverse 4u, difference u, product u, two sums 2u, to first order; the rest is room.
-        r.eo[i] = 12 * u * so;
-        r.ed[i] = 12 * u * sd;
-    }
-    return r;
+    const auto line = single::line_in<double>(frame, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
+    return {line.o, line.d, line.eo, line.ed};
 }
 
 bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& out) {
     if (is_plane(support.kind)) {
-        const Form f = plane_form(support, ray);
-        return solve_plane(f.v, f.ev, f.s, f.es, out);
+        return solve_plane(single::plane_form<double>(support, ray), out);
     }
     if (support.kind == SupportKind::kTorus) return filtered_torus(support, ray, out);
     if (support.kind == SupportKind::kBall) return round_crossings<3>({0, 1, 2}, {support.p[0], support.p[1], support.p[2]}, support.p[3], ray, out);
@@ -371,8 +246,8 @@ bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& 
 bool filtered_departure(const Support& support, const FrameRay& ray, Crossings& out) {
     if (support.kind == SupportKind::kTorus) return false;
     if (is_plane(support.kind)) {
-        const Form f = plane_form(support, ray);
-        return magnitude(f.s) > f.es && solve_plane(0, 0, f.s, f.es, out);
+        const Form f = single::plane_form<double>(support, ray);
+        return magnitude(f.s) > f.es && solve_plane({0, 0, f.s, f.es}, out);
     }
     double t0 = 0;
     const Quadratic q = quadratic_near(support, ray, t0);

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "csg/span/ray.h"
+#include "tracer/engine/crossing_kernel.h"
 #include "tracer/engine/support.h"
 
 namespace whittle {
@@ -29,11 +30,9 @@ struct Crossings {
     std::int8_t first_sign = 1;
 };
 
-// An axis plane met by the ray itself (no frame between): one subtraction, one product with the rounded inverse of d. Requires: inverse is finite.
+// An axis plane met by the ray itself (no frame between). Requires: inverse is finite.
 inline void axis_plane_crossing(double value, double o, double d, double inverse, Crossings& out) {
-    const double t = (value - o) * inverse;
-    out.t[0] = t;
-    out.error[0] = 4 * kUnitRoundoff * (t < 0 ? -t : t);
+    single::axis_plane_crossing(value, o, inverse, out.t[0], out.error[0]);
     out.count = 1;
     out.first_sign = d > 0 ? -1 : 1;
 }
