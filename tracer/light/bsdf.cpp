@@ -12,8 +12,8 @@ constexpr double kLeastCosine = 1e-9;
 }  // namespace
 
 Bsdf::Bsdf(const Surface& s, Vec3 normal, Vec3 view)
-    : surface_(s), normal_(normal), view_(view), cos_view_(std::max(kLeastCosine, glm::dot(normal, view))), f0_(glm::mix(Vec3(s.dielectric_f0), s.color, s.metal)) {
-    diffuse_ = s.color * ((1 - s.metal) * (1 - fresnel_schlick(s.dielectric_f0, cos_view_)));
+    : surface_(s), normal_(normal), view_(view), cos_view_(std::max(kLeastCosine, glm::dot(normal, view))) {
+    diffuse_ = s.color * ((1 - s.metal) * (1 - coat(cos_view_)));
     gloss_ = !s.sharp() && (s.dielectric_f0 > 0 || s.metal > 0);
     if (!gloss_) return;
     const double gloss = luminance(mirror_share(cos_view_)), diffuse = luminance(diffuse_);

@@ -19,9 +19,9 @@ public:
     // Albedo of the diffuse lobe: what white light from everywhere makes of it.
     Vec3 diffuse_albedo() const { return diffuse_; }
     // Reflectance of a mirror with this surface's colour, at the cosine to its normal.
-    Vec3 mirror_share(double cosine) const { return fresnel_schlick(f0_, cosine); }
+    Vec3 mirror_share(double cosine) const { return glm::mix(Vec3(coat(cosine)), fresnel_schlick(surface_.color, cosine), surface_.metal); }
     // Weight of the surroundings' dull image in a rough dielectric coat: what its reflectance leaves when the roughness has spread it.
-    double sheen() const { return gloss_ ? (1 - surface_.metal) * (1 - surface_.alpha) * fresnel_schlick(surface_.dielectric_f0, cos_view_) : 0; }
+    double sheen() const { return gloss_ ? (1 - surface_.metal) * (1 - surface_.alpha) * coat(cos_view_) : 0; }
     Vec3 view() const { return view_; }
     // Is there a lobe with a width that lights themselves shine into?
     bool gloss() const { return gloss_; }
@@ -39,10 +39,13 @@ public:
     double density(Vec3 direction, double cos_light) const;
 
 private:
+    // Reflectance of the bare dielectric; exactly none where its index is 1.
+    double coat(double cosine) const { return fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), 1 / surface_.ior); }
+
     const Surface& surface_;
     Vec3 normal_, view_;
     double cos_view_;
-    Vec3 f0_, diffuse_;
+    Vec3 diffuse_;
     bool gloss_;
     double gloss_share_ = 0;  // of draws
 };

@@ -110,8 +110,8 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     }
     stage->needs = needs_of(stage->world, stage->lights, *lens, options);
     stage->integrator = options.integrator == Integrator::kAuto ? cheapest(stage->needs, studio) : options.integrator;
-    if (stage->integrator > Integrator::kDistributed)
-        return fail(Fault::kCommand, fmt::format("--integrator {} is not there yet; there are preview, whitted, distributed", integrator_name(stage->integrator)));
+    if (stage->integrator > Integrator::kPath)
+        return fail(Fault::kCommand, fmt::format("--integrator {} is not there yet; there are preview, whitted, distributed, path", integrator_name(stage->integrator)));
     stage->filter = FilterSampler(options.filter);
     stage->thickness_scale = half_diagonal(bounds) / 2;
     stage->program = std::move(program);

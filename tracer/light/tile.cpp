@@ -5,6 +5,7 @@
 
 #include "tracer/image/tone.h"
 #include "tracer/light/direct.h"
+#include "tracer/light/path.h"
 #include "tracer/light/planes.h"
 #include "tracer/light/tracer.h"
 
@@ -17,6 +18,7 @@ struct TileWork {
     const Stage& stage;
     Scratch& scratch;
     Tracer tracer;
+    PathTracer walker;
     Spans spans;
 };
 
@@ -24,6 +26,12 @@ CameraLight xray_light(TileWork& work, const Ray& ray) {
     const double thickness = thickness_along(work.stage, ray, work.scratch, work.spans);
     const double share = Sleef_cinz_expd1_u10purec(-thickness / work.stage.thickness_scale);
     return {Vec3(0.02, 0.05, 0.10) + share * Vec3(0.90, 0.90, 0.86), thickness > 0 ? 1.0 : 0.0};
+}
+
+CameraLight light_along(TileWork& work, const Ray& ray, double height, const Sampler& sampler) {
+    if (work.stage.options.look == Look::kXray) return xray_light(work, ray);
+    if (work.stage.integrator == Integrator::kPath) return work.walker.camera_light(ray, height, sampler);
+    return work.tracer.camera_light(ray, height, sampler);
 }
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -52,9 +60,7 @@ void draw_sample(TileWork& work, int x, int y, int index, PixelSums& sums) {
         const double half = stage.options.height / 2.0;
         ray = camera_ray(stage.lens, (px - stage.options.width / 2.0) / half, (half - py) / half, sampler.pair(Draw::kLens));
     }
-    const CameraLight light =
-        stage.options.look == Look::kXray ? xray_light(work, ray) : work.tracer.camera_light(ray, picture_height(stage, py), sampler);
-    add_sample(light, place.weight, sums);
+    add_sample(light_along(work, ray, picture_height(stage, py), sampler), place.weight, sums);
 }
 
 double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }
@@ -64,7 +70,7 @@ double work_done(const Scratch& scratch) { return static_cast<double>(scratch.co
 bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film, const std::atomic<bool>* abort) {
     std::vector<PixelSums> kept;
     kept.reserve(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
-    TileWork work{stage, scratch, Tracer(stage, scratch, counters), {}};
+    TileWork work{stage, scratch, Tracer(stage, scratch, counters), PathTracer(stage, scratch, counters), {}};
     const bool planes = film.aovs != 0 && begin == 0;
     std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
     for (int y = tile.y; y < tile.y + tile.height; ++y)

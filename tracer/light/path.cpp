@@ -1,0 +1,150 @@
+#include "tracer/light/path.h"
+
+#include <limits>
+
+namespace whittle {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Bounces before a dim walk may be ended by lot.
+constexpr int kSureBounces = 4;
+
+constexpr int kMostCovers = 256;
+
+// Veach's power heuristic with exponent 2, one sample of each.
+double weighed(double own, double other) {
+    const double a = own * own, b = other * other;
+    return a + b > 0 && std::isfinite(a) ? a / (a + b) : own > other ? 1 : 0;
+}
+
+}  // namespace
+
+CameraLight PathTracer::camera_light(const Ray& ray, double height, const Sampler& sampler) {
+    ++counters_.camera;
+    Walk walk;
+    walk.ray = ray;
+    bool met = false;
+    while (step(walk, height, sampler)) met = true;
+    // A walk that ends at its first border met the solid as well.
+    met = met || walk.departs;
+    return {walk.radiance, met ? 1.0 : 0.0};
+}
+
+Vec3 PathTracer::surroundings(const Walk& walk, double height) const {
+    if (walk.straight && !walk.departs) return stage_.surroundings.backdrop(walk.ray.direction, height);
+    // Behind rough scattering the studio is its smooth sky: the key's soft box is sampled as a lamp.
+    return walk.single ? stage_.surroundings.radiance(walk.ray.direction) : stage_.surroundings.sky(walk.ray.direction);
+}
+
+void PathTracer::meet_lamp(Walk& walk, const LightMet& lamp) const {
+    const double other = lamp.density * direct_.parts_of(stage_.lights[lamp.light]);
+    walk.radiance += walk.share * lamp.radiance * (walk.single ? 1.0 : weighed(walk.density, other));
+}
+
+// One border further; false where the walk ends.
+bool PathTracer::step(Walk& walk, double height, const Sampler& sampler) {
+    Border border;
+    const bool met = stage_.world.next(walk.ray, walk.departs ? &walk.leaving : nullptr, kInfinity, scratch_, border);
+    LightMet lamp;
+    if (direct_.lamp_seen(walk.ray, met ? border.t : kInfinity, lamp)) {
+        meet_lamp(walk, lamp);
+        return false;
+    }
+    if (!met) {
+        walk.radiance += walk.share * surroundings(walk, height);
+        return false;
+    }
+    ++counters_.normals;
+    walk.departs = true;
+    walk.share *= absorbed_before(border);
+    walk.leaving = border.leaving;
+    walk.ray.origin = border.point;
+    const Surface& s = *border.surface;
+    const Vec2 choices = sampler.pair(Draw::kChoice, static_cast<std::uint32_t>(walk.bounce + walk.covers));
+    if (s.coverage < 1 && choices.y >= s.coverage) return ++walk.covers < kMostCovers;
+    walk.straight = false;
+    walk.radiance += walk.share * s.emission;
+    if (walk.bounce >= stage_.options.max_depth) return false;
+    const Bsdf bsdf(s, border.normal, -walk.ray.direction);
+    if (!scatter(walk, border, bsdf, sampler)) return false;
+    if (++walk.bounce < kSureBounces) return true;
+    const double survival = std::min(1.0, largest(walk.share));
+    if (!(sampler.pair(Draw::kSky, static_cast<std::uint32_t>(walk.bounce)).x < survival)) return false;
+    walk.share /= survival;
+    return true;
+}
+
+void PathTracer::add_lamps(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler) {
+    for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
+        const LightSource& light = stage_.lights[i];
+        // The studio's fill stands for light between surfaces, which is walked here.
+        if (!light.casts_shadow) continue;
+        const int parts = direct_.parts_of(light);
+        for (int k = 0; k < parts; ++k) {
+            const LightSample sample = direct_.sample(i, border.point, sampler, walk.bounce, k, parts);
+            const double cos_light = glm::dot(border.normal, sample.direction);
+            if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
+            const Vec3 open = direct_.transmittance(border, sample.direction, sample.distance, walk.ray.time, ClearShadows::kBlock);
+            if (open == Vec3(0)) continue;
+            const bool seen = light.extended() && !stage_.surroundings.is_studio();
+            const double weight = seen ? weighed(sample.density * parts, bsdf.density(sample.direction, cos_light)) : 1;
+            walk.radiance += walk.share * bsdf.value(sample.direction, cos_light) * open * sample.radiance * (cos_light * weight / parts);
+        }
+    }
+}
+
+// Picks clear, ideal or rough scattering by its share and goes on.
+bool PathTracer::scatter(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler) {
+    const Surface& s = *border.surface;
+    const Vec2 u = sampler.pair(Draw::kLobe, static_cast<std::uint32_t>(walk.bounce));
+    double choice = sampler.pair(Draw::kChoice, static_cast<std::uint32_t>(walk.bounce + walk.covers)).x;
+    if (choice < s.transmission) return scatter_clear(walk, border, bsdf, u, choice / s.transmission);
+    choice = (choice - s.transmission) / (1 - s.transmission);
+    const Vec3 view = -walk.ray.direction;
+    const Vec3 mirror = s.sharp() ? bsdf.mirror_share(glm::dot(border.normal, view)) : Vec3(0);
+    const double bright = largest(mirror), dull = largest(bsdf.diffuse_albedo());
+    const double mirror_share = bright > 0 ? bright / (bright + dull) : 0;
+    if (choice < mirror_share) {
+        ++counters_.reflection;
+        walk.ray.direction = mirrored(-view, border.normal);
+        walk.share *= mirror / mirror_share;
+        walk.single = true;
+        return glm::dot(walk.ray.direction, border.normal) > 0;
+    }
+    walk.share /= 1 - mirror_share;
+    add_lamps(walk, border, bsdf, sampler);
+    const Bsdf::Drawn drawn = bsdf.draw(u, (choice - mirror_share) / (1 - mirror_share));
+    if (!(drawn.density > 0) || drawn.share == Vec3(0)) return false;
+    ++counters_.diffuse;
+    walk.ray.direction = drawn.direction;
+    walk.share *= drawn.share;
+    walk.density = drawn.density;
+    walk.single = false;
+    return true;
+}
+
+bool PathTracer::scatter_clear(Walk& walk, const Border& border, const Bsdf& bsdf, Vec2 u, double choice) {
+    const Surface& s = *border.surface;
+    const double eta = border.eta();
+    const Vec3 micro = bsdf.micro_normal(u), in = walk.ray.direction;
+    const double mirror = fresnel_dielectric(-glm::dot(in, micro), eta);
+    walk.single = true;
+    if (choice < mirror) {
+        ++counters_.reflection;
+        walk.ray.direction = mirrored(in, micro);
+    } else {
+        const std::optional<Vec3> bent = refracted(in, micro, eta);
+        if (!bent) return false;
+        ++counters_.refraction;
+        walk.ray.direction = *bent;
+        walk.share *= s.color;
+    }
+    const double cosine = glm::dot(walk.ray.direction, border.normal);
+    if ((cosine > 0) != (choice < mirror)) return false;
+    if (!s.sharp()) walk.share *= ggx_masking(std::abs(cosine), s.alpha);
+    return true;
+}
+
+}  // namespace whittle

@@ -1,0 +1,46 @@
+// path.h — path tracing: the rendering equation by random walks from the eye.
+//
+// At every vertex lamps are sampled and the scattered ray may meet them too; the two are weighed by the power heuristic. Clear matter is
+// walked through, never sampled through: light of lamps without a size does not pass it. Absorption by lengths inside, borders as in world.h.
+// Sources: Kajiya (1986); Veach, Robust Monte Carlo Methods (1997), chapters 9 and 10.
+#pragma once
+
+#include "tracer/light/direct.h"
+
+namespace whittle {
+
+class PathTracer {
+public:
+    PathTracer(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), direct_(stage, scratch, counters), scratch_(scratch), counters_(counters) {}
+
+    CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler);
+
+private:
+    // The walk so far.
+    struct Walk {
+        Ray ray;
+        Leaving leaving;
+        bool departs = false;
+        bool single = true;    // the last scattering had one direction only (or there was none): lamps met count fully
+        bool straight = true;  // nothing but thin covers since the eye
+        double density = 0;    // of the last scattering's direction
+        Vec3 share{1};
+        Vec3 radiance{0};
+        int bounce = 0;
+        int covers = 0;
+    };
+
+    bool step(Walk& walk, double height, const Sampler& sampler);
+    void meet_lamp(Walk& walk, const LightMet& lamp) const;
+    void add_lamps(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler);
+    bool scatter(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler);
+    bool scatter_clear(Walk& walk, const Border& border, const Bsdf& bsdf, Vec2 u, double choice);
+    Vec3 surroundings(const Walk& walk, double height) const;
+
+    const Stage& stage_;
+    DirectLight direct_;
+    Scratch& scratch_;
+    RenderCounters& counters_;
+};
+
+}  // namespace whittle
