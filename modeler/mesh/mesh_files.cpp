@@ -47,6 +47,7 @@ Mesh in_single_precision(const Mesh& mesh) {
     Mesh out = mesh;
     for (Vec3& p : out.points) p = Vec3(glm::vec3(p));
     weld(out);
+    remove_flat_triangles(out);
     return out;
 }
 

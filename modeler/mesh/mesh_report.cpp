@@ -49,11 +49,6 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<Triangle>& triangles) 
     return edges;
 }
 
-bool flat(const Mesh& mesh, const Triangle& t) {
-    const Vec3 n = glm::cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
-    return n == Vec3{0};
-}
-
 std::uint64_t count_duplicates(const std::vector<Triangle>& triangles) {
     std::vector<Triangle> sorted = triangles;
     for (Triangle& t : sorted) std::sort(t.begin(), t.end());
@@ -83,7 +78,7 @@ MeshReport report_mesh(const Mesh& given) {
     report.triangles = given.triangles.size();
     report.vertices = mesh.points.size();
     report.degenerate = given.triangles.size() - mesh.triangles.size();
-    for (const Triangle& t : mesh.triangles) report.degenerate += flat(mesh, t) ? 1U : 0U;
+    for (const Triangle& t : mesh.triangles) report.degenerate += is_flat(mesh, t) ? 1U : 0U;
     report.duplicate = count_duplicates(mesh.triangles);
     report.open_edges = count_open_edges(mesh.triangles);
 

@@ -279,6 +279,7 @@ Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, Me
     if (!mesh) return tl::unexpected(mesh.error());
     result.mesh = std::move(*mesh);
     weld(result.mesh);
+    remove_flat_triangles(result.mesh);
     result.report = report_mesh(result.mesh);
     result.stats.seconds_round = seconds_since(start);
     return result;

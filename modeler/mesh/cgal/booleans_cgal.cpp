@@ -3,6 +3,8 @@
 // Corefinement is quick but refuses results that are not 2-manifold (solids that touch along an edge). Those two operands are combined as Nef
 // polyhedra; a result that is a 2-manifold goes on as a surface, any other stays a Nef polyhedron until the end.
 // Source: CGAL 5.5 manual, Polygon Mesh Processing (corefinement) and 3D Boolean Operations on Nef Polyhedra.
+#include "modeler/mesh/cgal/ordered_blocks.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/box_intersection_d.h>
@@ -244,6 +246,7 @@ bool corefined(SetOp op, Surface& a, Surface& b, const KernelWatch& watch) {
     visitor.first_tags = tags_of(a);
     visitor.second_tags = tags_of(b);
     visitor.control = watch.control;
+    const OrderedBlocks::Scope in_order;
     const auto options = CGAL::parameters::visitor(visitor);
     switch (op) {
         case SetOp::kUnion: return pmp::corefine_and_compute_union(a, b, a, options);
