@@ -244,7 +244,7 @@ bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& 
 }
 
 bool filtered_departure(const Support& support, const FrameRay& ray, Crossings& out) {
-    if (support.kind == SupportKind::kTorus) return false;
+    if (support.kind == SupportKind::kTorus) return filtered_torus_departure(support, ray, out);
     if (is_plane(support.kind)) {
         const Form f = single::plane_form<double>(support, ray);
         return magnitude(f.s) > f.es && solve_plane({0, 0, f.s, f.es}, out);

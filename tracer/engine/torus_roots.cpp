@@ -124,18 +124,10 @@ struct Moved {
     double v, ev;
 };
 
-}  // namespace
-
-bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out) {
+// The torus's polynomial around t0 and a bound of |s| beyond which nothing of it lies. `reach` < 0: the ray misses the torus's ball.
+Quartic quartic_around(const Support& support, const FrameRay& ray, double t0, double& reach) {
     const auto& p = support.p;
     const double ring = p[3], tube = p[4];
-    double along = 0, dd = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        along += (p[i] - ray.o[i]) * ray.d[i];
-        dd += ray.d[i] * ray.d[i];
-    }
-    const double t0 = along / dd;
-    if (!std::isfinite(t0)) return false;
     std::array<Moved, 3> x;
     for (std::size_t i = 0; i < 3; ++i) {
         const double o = ray.o[i] - p[i], step = t0 * ray.d[i], v = o + step;
@@ -153,9 +145,8 @@ bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out)
     }
     const double drift = (std::abs(g1) + e1) / (g2 - e2);
     const double reach2 = ((ring + tube) * (ring + tube) * (1 + 32 * u) - g0 + e0) / (g2 - e2) + drift * drift;
-    out.first_sign = 1;
-    out.count = 0;
-    if (reach2 < 0) return true;
+    // A little beyond the ball, so that both ends are outside for certain.
+    reach = reach2 < 0 ? -1 : (std::sqrt(reach2) + drift) * 1.0625 + 0x1p-20 * (ring + tube) / std::sqrt(g2);
     const double core = ring * ring - tube * tube;
     e0 += 3 * u * (ring * ring + tube * tube) + 2 * u * (std::abs(g0) + std::abs(core));
     g0 += core;
@@ -166,12 +157,16 @@ bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out)
     q.e = {2 * a0 * e0 + k * f0 + ek * b0 + 4 * u * (a0 * a0 + k * b0), 4 * (a0 * e1 + a1 * e0) + 2 * (k * f1 + ek * b1) + 8 * u * (2 * a0 * a1 + k * b1),
            2 * (a0 * e2 + a2 * e0) + 8 * a1 * e1 + k * f2 + ek * b2 + 8 * u * (a0 * a2 + 2 * a1 * a1 + k * b2), 4 * (a1 * e2 + a2 * e1) + 8 * u * a1 * a2,
            2 * a2 * e2 + 4 * u * a2 * a2};
-    // A little beyond the ball, so that both ends are outside for certain.
-    const double reach = (std::sqrt(reach2) + drift) * 1.0625 + 0x1p-20 * (ring + tube) / std::sqrt(g2);
+    return q;
+}
+
+// Roots in [-reach, reach], ascending, t = t0 + s.
+bool isolate(const Quartic& q, double reach, double t0, Crossings& out) {
     std::array<Piece, 64> stack;
     int top = 0;
     stack[0] = bernstein(q, reach);
     const double least = stack[0].width * 0x1p-30;
+    out.count = 0;
     while (top >= 0) {
         const Piece piece = stack[static_cast<std::size_t>(top--)];
         const Look seen = look(piece);
@@ -191,7 +186,51 @@ bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out)
         out.t[n] = t0 + s;
         out.error[n] = error + u * std::abs(out.t[n]);
     }
-    return out.count % 2 == 0;
+    return true;
+}
+
+}  // namespace
+
+bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out) {
+    double along = 0, dd = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        along += (support.p[i] - ray.o[i]) * ray.d[i];
+        dd += ray.d[i] * ray.d[i];
+    }
+    const double t0 = along / dd;
+    if (!std::isfinite(t0)) return false;
+    double reach = 0;
+    const Quartic q = quartic_around(support, ray, t0, reach);
+    out.first_sign = 1;
+    out.count = 0;
+    if (reach < 0) return true;
+    return isolate(q, reach, t0, out) && out.count % 2 == 0;
+}
+
+bool filtered_torus_departure(const Support& support, const FrameRay& ray, Crossings& out) {
+    double reach = 0;
+    const Quartic q = quartic_around(support, ray, 0, reach);
+    if (!(reach > 0) || !std::isfinite(reach)) return false;
+    // Without the root at 0: q / t.
+    Quartic rest;
+    for (std::size_t k = 0; k < 4; ++k) {
+        rest.c[k] = q.c[k + 1];
+        rest.e[k] = q.e[k + 1];
+    }
+    if (!isolate(rest, reach, 0, out) || out.count % 2 == 0) return false;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(out.count); ++i) {
+        if (std::abs(out.t[i]) <= out.error[i]) return false;
+        if (out.t[i] < 0) at = i + 1;
+    }
+    for (auto i = static_cast<std::size_t>(out.count); i > at; --i) {
+        out.t[i] = out.t[i - 1];
+        out.error[i] = out.error[i - 1];
+    }
+    out.t[at] = out.error[at] = 0;
+    ++out.count;
+    out.first_sign = 1;
+    return true;
 }
 
 }  // namespace whittle

@@ -7,5 +7,7 @@ namespace whittle {
 
 // False: not decidable in double. Requires: the support is a torus.
 bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out);
+// The same where t = 0 is a root.
+bool filtered_torus_departure(const Support& support, const FrameRay& ray, Crossings& out);
 
 }  // namespace whittle

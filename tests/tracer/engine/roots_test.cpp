@@ -182,3 +182,38 @@ TEST_CASE("a ray along a face takes the side of the perturbation, not of roundin
     CHECK(c.count == 0);
     CHECK(c.first_sign == 1);  // the first vector of the perturbation points to +x
 }
+
+TEST_CASE("a ray that leaves a surface has its origin as one crossing and the others within their bounds") {
+    const auto kind = static_cast<SupportKind>(GENERATE(range(0, 12)));
+    Random random(300 + static_cast<std::uint64_t>(kind));
+    std::uint64_t decided = 0, met = 0;
+    for (std::uint64_t i = 0; i < 3000 * rounds(); ++i) {
+        const Support s = random_support(kind, random);
+        const Frame frame = make_frame(random_placement(random));
+        Ray ray = random_ray(random);
+        ray.origin = apply_to_point(frame.placement, ray.origin);
+        ray.direction = apply_to_direction(frame.placement, ray.direction);
+        Crossings on, fast, truth;
+        exact_crossings(s, frame, ray, false, on);
+        if (on.count == 0) continue;
+        ray.origin = point_at(ray, on.t[0]);
+        ray.direction = on_sphere(random);
+        ++met;
+        exact_crossings(s, frame, ray, true, truth);
+        if (!filtered_departure(s, ray_in_frame(frame, ray), fast)) continue;
+        ++decided;
+        const exact::Polynomial p = exact_polynomial(s, frame, ray, true);
+        REQUIRE(fast.count == truth.count);
+        REQUIRE(fast.first_sign == truth.first_sign);
+        bool at_zero = false;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(fast.count); ++k) {
+            at_zero = at_zero || (fast.t[k] == 0 && fast.error[k] == 0);
+            double gap = 0, rounding = 0;
+            exact::sign_changes(seen_from(p, fast.t[k]))[k].approximate(gap, rounding);
+            REQUIRE(std::abs(gap) <= fast.error[k]);
+        }
+        REQUIRE(at_zero);
+    }
+    CHECK(decided > met * 9 / 10);
+    CHECK(met > 300);
+}
