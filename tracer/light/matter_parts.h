@@ -2,7 +2,7 @@
 //
 // A picture of opaque things needs the border of the whole solid only. Light in a glass of water also needs the border between the two, and where
 // they overlap, whose matter is there. So each clear matter becomes a solid of its own; a ray asks all of them, and the owner of a place is
-// the containing part of the highest priority, then of the lowest ordinal (docs/numerics.md, labels are not sets).
+// the containing part of the highest priority, then an opaque one, then that of the lowest ordinal (docs/numerics.md, labels are not sets).
 #pragma once
 
 #include <vector>

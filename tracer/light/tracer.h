@@ -24,15 +24,17 @@ private:
         int depth = 0;     // mirrors and refractions so far
         int straight = 0;  // thin covers passed
         double weight = 1;
+        double spread = 0;  // GGX alpha that rough mirrors on the way have blurred everything by
         bool sees_lights = true;
     };
 
     Vec3 follow(const Ray& ray, const Leaving* leaving, const Branch& branch);
     Vec3 shade(const Ray& ray, const Border& border, const Branch& branch);
-    Vec3 lit(const Border& border, const Bsdf& bsdf, const Branch& branch);
+    Vec3 shade_as(const Surface& surface, const Ray& ray, const Border& border, const Branch& branch);
+    Vec3 lit(const Surface& surface, const Border& border, const Bsdf& bsdf, const Branch& branch);
     Vec3 sky(const Border& border, const Bsdf& bsdf, const Branch& branch);
-    Vec3 reflection(const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
-    Vec3 through_clear(const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
+    Vec3 reflection(const Surface& surface, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
+    Vec3 through_clear(const Surface& surface, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
     Vec3 straight_on(const Ray& ray, const Border& border, const Branch& branch);
     Vec2 lobe(const Branch& branch) const { return sampler_->pair(Draw::kLobe, static_cast<std::uint32_t>(branch.depth)); }
     bool distributes() const { return stage_.integrator >= Integrator::kDistributed; }

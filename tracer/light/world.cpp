@@ -60,7 +60,11 @@ Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* sol
     }
     world.ranked_.resize(world.parts_.size());
     std::iota(world.ranked_.begin(), world.ranked_.end(), 0);
-    std::stable_sort(world.ranked_.begin(), world.ranked_.end(), [&](int a, int b) { return world.parts_[a].priority > world.parts_[b].priority; });
+    // Of equal priority: what is opaque shows in what is clear (a straw in water), then the author's order.
+    std::stable_sort(world.ranked_.begin(), world.ranked_.end(), [&](int a, int b) {
+        const Part &first = world.parts_[static_cast<std::size_t>(a)], &second = world.parts_[static_cast<std::size_t>(b)];
+        return first.priority != second.priority ? first.priority > second.priority : first.matter.clear() < second.matter.clear();
+    });
     return world;
 }
 

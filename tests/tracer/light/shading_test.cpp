@@ -180,6 +180,20 @@ TEST_CASE("liquid in a glass: overlapping and touching walls give the same pictu
     CHECK(worst_gap > 0.05);
 }
 
+TEST_CASE("what is opaque shows inside of what is clear, unless the clear has priority") {
+    for (double priority : {0.0, 1.0}) {
+        SceneBuilder b;
+        Material clear = preset("glass");
+        clear.ior = 1;
+        clear.priority = priority;
+        b.add(b.box(Vec3(-10), Vec3(10), clear));
+        b.add(b.ball(5, matte(1, 0, 0)));
+        const Vec3 seen = middle(drawn(b.finish(), seen_from(Vec3(0, -50, 0), {around(kWhite)}), with_odd_size()).film);
+        CHECK(seen.x == Approx(1).epsilon(1e-6));
+        CHECK(seen.y == Approx(priority > 0 ? 1 : 0).margin(1e-6));
+    }
+}
+
 TEST_CASE("a cutter's colour tints the face it cuts into glass, which stays glass") {
     const auto cut = [](const Material& cutter) {
         SceneBuilder b;
