@@ -111,6 +111,7 @@ struct Passed {
 struct Matched {
     std::vector<Passed> passed;            // in the order of evaluation
     std::vector<std::string> complaints;   // warnings
+    std::uint64_t given = 0;               // which of the first 64 parameters
 };
 
 // Frame in which a callee is defined: some frames up, or a fresh one of a used file.

@@ -66,6 +66,7 @@ Evaluated evaluate(Parsed parsed, const EvaluateInput& input, Outside& outside) 
     }
     const bool ran = run_on_large_stack([&] {
         Heap heap;
+        heap.set_limit(input.limits.memory_bytes);
         try {
             run_program(parsed, input, heap, out);
         } catch (const std::bad_alloc&) {

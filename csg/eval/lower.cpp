@@ -321,6 +321,7 @@ Matched Lowering::match(ast::ArgumentRange range, const std::vector<Parameter>& 
     for (auto& [name, passed] : by_name) {
         passed.value = lower(argument(range, passed.value).value, scope);
         out.passed.push_back(passed);
+        if (passed.to == Passed::To::kParameter && passed.parameter < 64) out.given |= std::uint64_t{1} << passed.parameter;
     }
     return out;
 }

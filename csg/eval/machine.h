@@ -63,6 +63,7 @@ private:
     // Expressions (run_expression.cpp).
     Value eval(TermId id, Frame* frame);
     Value eval_slow(const code::Term& node, TermId id, Frame* frame);
+    [[noreturn]] void fail_too_nested(TermId id);
     Value eval_binary(ast::Op op, const Value& left, const Value& right, TermId id);
     Value eval_range(const code::Term& node, TermId id, Frame* frame);
     Value eval_member(const code::Term& node, Frame* frame);

@@ -80,7 +80,8 @@ void ProgramReader::include(const Token& token, const std::string& path, const s
         return;
     }
     if (open_.size() >= kMaxIncludeDepth || out_.sources.files.size() >= kMaxSources) {
-        out_.diagnostics.add(Severity::kError, token.place, "Too many include files");
+        if (!too_many_) out_.diagnostics.add(Severity::kError, token.place, "Too many include files");
+        too_many_ = true;
         return;
     }
     open_.insert(found);
@@ -122,7 +123,7 @@ bool ProgramReader::run(std::string main_text) {
     std::uint32_t definitions = ast::kNone;
     add_definitions(tokens, strings, definitions);
     const auto wanted = std::move(wanted_);
-    if (!parse_file(0, std::move(tokens), std::move(strings), source, definitions)) return false;
+    if (!parse_file(0, std::move(tokens), std::move(strings), source, definitions) || too_many_) return false;
     used_[input_.path] = 0;
     for (const auto& [path, place] : wanted) {
         const std::uint32_t file = use(path);

@@ -43,6 +43,7 @@ private:
     Outside& outside_;
     Parsed& out_;
     ProgramText& program_;
+    bool too_many_ = false;
     std::set<std::string> open_;                      // files whose tokens are being read: no circles
     std::map<std::string, std::uint32_t> used_;       // path -> file
     std::vector<std::pair<std::string, SourcePlace>> wanted_;  // uses met in the file being read: resolved paths

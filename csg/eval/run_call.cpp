@@ -28,11 +28,7 @@ void Machine::set_defaults(const std::vector<Parameter>& parameters, const Match
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const Parameter& p = parameters[i];
         if (p.dynamic) continue;
-        const auto given = [&] {
-            return std::any_of(matched.passed.begin(), matched.passed.end(),
-                               [i](const Passed& passed) { return passed.to == Passed::To::kParameter && passed.parameter == i; });
-        };
-        if (p.constant && given()) continue;
+        if (p.constant && i < 64 && (matched.given >> i & 1)) continue;
         into->slots()[p.target] = p.value == code::kNone ? Value() : eval(p.value, home);
     }
 }
@@ -54,6 +50,7 @@ void Machine::pass_arguments(const Matched& matched, Frame* caller, Frame* into,
 
 Value Machine::call_function(const Call& call, Frame* frame, SourcePlace place) {
     const code::Function& f = program_.functions[call.function];
+    tick();
     const Depth depth(*this, f.depth + 1, "function", call.name, place);
     const std::size_t before = mark();
     try {
@@ -162,7 +159,10 @@ Matched Machine::match_values(const std::vector<Argument>& arguments, const std:
         }
         by_name[names_.text(name)] = passed;
     }
-    for (const auto& [name, passed] : by_name) out.passed.push_back(passed);  // lower.cpp says why this order
+    for (const auto& [name, passed] : by_name) {
+        out.passed.push_back(passed);
+        if (passed.to == Passed::To::kParameter && passed.parameter < 64) out.given |= std::uint64_t{1} << passed.parameter;
+    }
     return out;
 }
 
@@ -189,6 +189,7 @@ Value Machine::call_value(TermId id, Frame* frame) {
     auto cached = matches_.find(key);
     if (cached == matches_.end()) cached = matches_.emplace(key, match_values(call.arguments, f.parameters, f.layout)).first;
     const Matched& matched = cached->second;
+    tick();
     const Depth depth(*this, f.depth + 1, "function", call.name, place);
     const std::size_t before = mark();
     try {

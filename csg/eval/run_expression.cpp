@@ -61,6 +61,7 @@ Value Machine::eval(TermId id, Frame* frame) {
             for (std::uint32_t i = 0; i < node.b; ++i) stack_.push_back(eval(program_.lists[node.a + i], frame));
             Value made = heap_.vector(stack_.data() + base, node.b);
             stack_.resize(base);
+            if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
             return made;
         }
         case Op::kLet: {
@@ -100,7 +101,7 @@ Value Machine::eval_slow(const Term& node, TermId id, Frame* frame) {
             for (std::uint32_t i = 0; i < node.b; ++i) push_elements(program_.lists[node.a + i], frame);
             Value made = heap_.vector(stack_.data() + base, stack_.size() - base);
             stack_.resize(base);
-            if (made.vector().nesting > kMaxValueNesting) fail(program_.places[id], "Lists are nested too deeply");
+            if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
             return made;
         }
         case Op::kRange: return eval_range(node, id, frame);
@@ -140,6 +141,8 @@ Value Machine::eval_slow(const Term& node, TermId id, Frame* frame) {
         }
     }
 }
+
+void Machine::fail_too_nested(TermId id) { fail(program_.places[id], "Lists are nested too deeply"); }
 
 Value Machine::eval_binary(ast::Op op, const Value& left, const Value& right, TermId id) {
     std::string problem;

@@ -40,6 +40,10 @@ void* Heap::allocate(std::size_t bytes) {
     bytes_ += bytes;
     const std::size_t index = (bytes + kStep - 1) / kStep;
     if (index >= kClasses) {
+        if (bytes > kMaxBlock || (limit_ > 0 && bytes_ > limit_)) {
+            bytes_ -= bytes;
+            throw std::bad_alloc();
+        }
         void* block = std::malloc(bytes);
         if (!block) throw std::bad_alloc();
         return block;

@@ -151,6 +151,8 @@ public:
     Frame* frame(std::uint32_t slots, Frame* parent);
 
     std::uint64_t bytes() const { return bytes_; }
+    // Large blocks beyond it are refused with std::bad_alloc; 0: none.
+    void set_limit(std::uint64_t bytes) { limit_ = bytes; }
     void* allocate(std::size_t bytes);
     void free(void* block, std::size_t bytes);
 
@@ -161,7 +163,8 @@ public:
 private:
     static constexpr std::size_t kStep = 16, kClasses = 33;  // blocks up to 512 bytes are pooled
     struct FreeBlock { FreeBlock* next; };
-    std::uint64_t bytes_ = 0;
+    static constexpr std::size_t kMaxBlock = std::size_t{3} << 30;  // sizes are 32 bits
+    std::uint64_t bytes_ = 0, limit_ = 0;
     FreeBlock* free_[kClasses] = {};
     std::vector<void*> slabs_;
     FunctionObject* functions_ = nullptr;
