@@ -93,6 +93,9 @@ struct MeshResult {
 // installed and a boolean is needed.
 Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, MeshControl& control);
 
+// The same for one use of a node, in the frame the use stands in; the solid need not have a root.
+Result<MeshResult> mesh_use(const Solid& solid, const Use& use, const MeshOptions& options, MeshControl& control);
+
 // Facts of a mesh as it stands. Points that are equal count as one vertex.
 MeshReport report_mesh(const Mesh& mesh);
 

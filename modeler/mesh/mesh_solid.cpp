@@ -215,6 +215,12 @@ Vec3 in_mm(const Vec3& p, const GridPoint& by, const Planner& planner) {
     return (p + Vec3{by[0], by[1], by[2]}) / planner.grid().per_mm;
 }
 
+// The box of a use at time 0.
+Bounds bounds_at_start(const Solid& solid, const Use& use) {
+    const Bounds& own = solid.bounds(use.node);
+    return placed_bounds(use.motion == 0 ? own : placed_bounds(own, solid.motion(use.motion).start), use.placement);
+}
+
 // Parts in double, one after the other; tags become leaf uses.
 Result<Mesh> gathered(const Planner& planner, const Instance& root, const Parts& parts) {
     const Plan& plan = planner.plan();
@@ -254,11 +260,14 @@ double chord_tolerance(const MeshOptions& options, double radius, double diagona
 }
 
 Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, MeshControl& control) {
+    return mesh_use(solid, solid.root(), options, control);
+}
+
+Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control) {
     MeshResult result;
-    const Use root = solid.root();
     if (root.node == kEmptyNode) return result;
     if (solid.is_2d(root.node)) return fail(Fault::kScene, "Current top level object is not a 3D object.");
-    const Bounds room = solid.root_bounds();
+    const Bounds room = bounds_at_start(solid, root);
     if (room.empty()) return result;
     if (!finite(room)) return fail(Fault::kScene, "the solid is unbounded: no operation bounds a halfspace or quadric");
 
