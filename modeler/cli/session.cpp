@@ -106,7 +106,7 @@ Result<ReadScene> read_scene(Session& session, Preview preview) {
     clip_scene(scene.evaluated.scene, session.request.render.clips);
 
     Stopwatch watch;
-    Files files;
+    Files files(session.request.mesh.options);
     CanonicaliseOptions reading = session.request.common.reading;
     reading.preview = preview.modifiers;
     auto& diagnostics = scene.evaluated.diagnostics;

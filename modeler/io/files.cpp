@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "csg/base/file.h"
+#include "modeler/mesh/outside_mesh.h"
 
 namespace whittle {
 
@@ -15,13 +16,9 @@ bool Files::exists(const std::string& path) {
     return std::filesystem::is_regular_file(path, fault);
 }
 
-Result<std::shared_ptr<const FacetList>> Files::hull(const Solid&, const std::vector<Use>&) {
-    return fail(Fault::kScene, "hull() of these operands is not supported yet");
-}
+Result<std::shared_ptr<const FacetList>> Files::hull(const Solid& solid, const std::vector<Use>& operands) { return hull_of(solid, operands, mesh_); }
 
-Result<std::shared_ptr<const FacetList>> Files::minkowski(const Solid&, const std::vector<Use>&) {
-    return fail(Fault::kScene, "minkowski() of these operands is not supported yet");
-}
+Result<std::shared_ptr<const FacetList>> Files::minkowski(const Solid& solid, const std::vector<Use>& operands) { return minkowski_of(solid, operands, mesh_); }
 
 std::vector<std::string> library_paths() {
     std::vector<std::string> candidates;

@@ -5,15 +5,21 @@
 #include <vector>
 
 #include "csg/solid/outside.h"
+#include "modeler/mesh/mesh.h"
 
 namespace whittle {
 
+// hull() and minkowski() are served by meshes, made with `mesh` (CGAL is opened for them).
 class Files : public Outside {
 public:
+    explicit Files(MeshOptions mesh = {}) : mesh_(mesh) {}
     Result<std::string> read_text(const std::string& path) override;
     bool exists(const std::string& path) override;
     Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) override;
     Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) override;
+
+private:
+    MeshOptions mesh_;
 };
 
 // Where `use <...>` looks after the including file's own folder: OPENSCADPATH, the user's library folder, the system's. Folders that exist only.
