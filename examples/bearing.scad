@@ -24,16 +24,16 @@ module races() difference() {
     torus(pitch_r, groove_r);
 }
 
-material("steel") races();
+color("lightsteelblue") races();
 material("gold")
     for (i = [0 : balls - 1])
         rotate([0, 0, 360 * i / balls]) translate([pitch_r, 0, 0]) sphere(groove_r - play);
 
-camera(eye = [70, -92, 88], target = [0, 0, -2], fov = 24);
+camera(eye = [52, -72, 112], target = [0, 0, -2], fov = 24);
 
 // Groove: the part of the torus beyond a land e = 2 away from the pitch circle, by Pappus.
 // fact: volume = 19090.3160678; rings - both grooves + nine balls
 // fact: area = 12368.0743104; rings - the bands that the grooves open + the grooves' sheets + nine balls
 // fact: genus = 2; two rings
 // fact: components = 11; two rings, nine balls
-// perturb: groove_r = 5.01
+// perturb: groove_r = 5.05

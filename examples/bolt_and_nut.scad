@@ -32,4 +32,4 @@ color("darkkhaki") translate([24, 0, -shank_h - 1.5]) difference() {
 // fact: volume = 5647.433732 within 1e-9; prisms - three chamfers + shank + its tip - bore - the bore's chamfer
 // fact: genus = 1; the nut
 // fact: components = 2; bolt and nut
-// perturb: key = 17.01
+// perturb: key = 17.1

@@ -22,4 +22,4 @@ difference() {
 // fact: area = 2420.79616395; 4 pi R^2 - 12 pi R k + 6 pi (R^2 - a^2/4 - c^2) + 3 (2 pi c a - 8 sqrt 2 c^2)
 // fact: genus = 5; six mouths meet in one cave
 // fact: components = 1; one skin
-// perturb: bore_r = 6.02
+// perturb: bore_r = 6.05

@@ -39,4 +39,4 @@ for (i = [0 : 3]) rotate([0, 0, 90 * i]) translate([-side / 2, -side / 2, 0]) {
 // fact: volume = 82057.5577895; towers + roofs + walls beyond the towers - gaps - gate
 // fact: genus = 1; the court; the gate is a notch from below
 // fact: components = 1; walls and towers are one
-// perturb: wall_t = 8.02
+// perturb: wall_t = 8.1

@@ -37,4 +37,4 @@ translate([2.25 * a, -1.1 * a, 0]) difference() {
 // fact: volume = 3092.37526227; 7/8 a^3 + 5/4 a^3 + (a^3/2 - 2/3 pi (0.4 a)^3 + the rod in the bowl) + 3/4 of a cylinder
 // fact: genus = 0; no hole goes through
 // fact: components = 4; four bodies that stand apart
-// perturb: a = 10.001
+// perturb: a = 10.02

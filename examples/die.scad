@@ -30,4 +30,4 @@ difference() {
 // fact: area = 1480.19279467; 4 pi R^2 - 12 pi R k + 6 pi (R^2 - a^2/4) + 21 pi r^2
 // fact: genus = 0; nothing goes through
 // fact: components = 1; one skin
-// perturb: pip_r = 1.42
+// perturb: pip_r = 1.45

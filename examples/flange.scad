@@ -12,14 +12,14 @@ bolts = 8;
 bolt_r = 4.5;
 bolt_circle = 44;
 
-color("cadetblue") difference() {
-    union() {
+difference() {
+    color("cadetblue") union() {
         translate([0, 0, -face_h]) cylinder(h = face_h, r = face_r);
         cylinder(h = flange_h, r = flange_r);
         translate([0, 0, flange_h]) cylinder(h = hub_h, r1 = hub_r, r2 = pipe_r);
         translate([0, 0, flange_h + hub_h]) cylinder(h = pipe_h, r = pipe_r);
     }
-    translate([0, 0, -face_h]) cylinder(h = face_h + flange_h + hub_h + pipe_h, r = bore_r);
+    color("gainsboro") translate([0, 0, -face_h]) cylinder(h = face_h + flange_h + hub_h + pipe_h, r = bore_r);
     color("gold") for (i = [0 : bolts - 1])
         rotate([0, 0, 360 * i / bolts + 22.5]) translate([bolt_circle, 0, 0]) cylinder(h = flange_h, r = bolt_r);
 }
@@ -28,4 +28,4 @@ color("cadetblue") difference() {
 // fact: area = 33827.9108545; steps, cone pi (r1 + r2) s, pipe, bore; a hole adds 2 pi r (h - r)
 // fact: genus = 9; the bore and eight holes
 // fact: components = 1; one skin
-// perturb: hub_r = 32.02
+// perturb: hub_r = 32.3

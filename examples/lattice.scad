@@ -19,4 +19,4 @@ for (i = [0 : n - 1], j = [0 : n - 1], k = [0 : n - 1]) {
 // fact: area = 12076.1932385; n^3 4 pi R^2 + 3 n^2 (n - 1) (2 pi r (p - 2 q) - 4 pi R (R - q))
 // fact: genus = 81; rods - balls + 1
 // fact: components = 1; one skin
-// perturb: rod_r = 1.201
+// perturb: rod_r = 1.22

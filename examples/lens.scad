@@ -25,4 +25,4 @@ camera(eye = [42, -58, 40], target = [0, 0, 0], fov = 26);
 // fact: area = 3325.80374118; two caps 2 pi R s, and the ring's four faces
 // fact: genus = 1; the ring's; the lens has none
 // fact: components = 2; lens and ring
-// perturb: aperture = 15.01
+// perturb: aperture = 15.1

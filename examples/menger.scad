@@ -9,11 +9,11 @@ module bars(n, s) {  // square holes along z through [0, s]^2, n levels deep
             if (i != 1 || j != 1) translate([i * s / 3, j * s / 3, 0]) bars(n - 1, s / 3);
 }
 
-color("burlywood") difference() {
-    cube(size);
-    color("sienna") bars(level, size);
-    color("peru") translate([0, size, 0]) rotate([90, 0, 0]) bars(level, size);
-    color("chocolate") translate([0, 0, size]) rotate([0, 90, 0]) bars(level, size);
+difference() {
+    color("burlywood") cube(size);
+    color("firebrick") bars(level, size);
+    color("darkorange") translate([0, size, 0]) rotate([90, 0, 0]) bars(level, size);
+    color("saddlebrown") translate([0, 0, size]) rotate([0, 90, 0]) bars(level, size);
 }
 
 // fact: volume = 8000; size^3 (20/27)^level

@@ -33,4 +33,4 @@ color("steelblue") {
 // fact: volume = 67402.6921629 within 1e-8; cylinders, the half ring by Pappus, and bars cut by the wall: 2 integrals of sqrt(R^2 - y^2) over a disc
 // fact: genus = 1; the handle
 // fact: components = 1; the parts touch in whole faces, so they are one
-// perturb: handle_tube = 5.02
+// perturb: handle_tube = 5.2

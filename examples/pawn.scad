@@ -16,4 +16,4 @@ color("wheat") {
 // fact: volume = 4560.14366852 within 1e-6; Pappus: the profile's moment by quadrature, and the ball above the collar
 // fact: genus = 0; a body of revolution that meets its axis
 // fact: components = 1; one skin
-// perturb: head_r = 6.01
+// perturb: head_r = 6.05

@@ -24,9 +24,9 @@ color("aliceblue") translate([-90, -90, -21]) cube([180, 180, 3]);
 
 sun(direction = [0.8, 0.9, -0.7], color = [1, 0.86, 0.7], angle = 1);
 environment(color = [0.55, 0.65, 0.85], intensity = 0.6);
-camera(eye = [30, -150, 52], target = [0, 0, 20], fov = 34);
+camera(eye = [34, -165, 58], target = [0, 0, 23], fov = 36);
 
 // fact: volume = 146086.36479; balls and lenses, hat, meadow less the cap of snow in it; the nose beyond the head by quadrature
 // fact: genus = 0; nothing goes through
 // fact: components = 1; he stands 2 mm deep in the snow
-// perturb: head_z = 45.5
+// perturb: head_z = 47

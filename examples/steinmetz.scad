@@ -13,4 +13,4 @@ intersection() {
 // fact: area = 1405.8874503; 24 (2 - sqrt 2) r^2
 // fact: genus = 0; it is convex
 // fact: components = 1; so it has one skin
-// perturb: r = 10.01
+// perturb: r = 10.03

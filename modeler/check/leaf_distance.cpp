@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "csg/solid/facets.h"
 #include "modeler/check/nearest_point.h"
 
 namespace whittle {
@@ -154,7 +155,7 @@ private:
         leaf.place = place;
         leaf.bounds = placed_bounds(solid_.bounds(id), placement);
         if (const auto* e = std::get_if<shape::Extrusion>(&shape)) {
-            if (e->twist_deg != 0 && e->slices > 0) return false;
+            if (e->slices > 0 && (e->twist_deg != 0 || e->scale_top.x != e->scale_top.y)) return add_facets(std::move(leaf), id, placement);
             return walk_profile(use_of(e->profile), Placement{}, placement, leaf, is_plain(*e));
         }
         if (const auto* r = std::get_if<shape::Revolution>(&shape)) {
@@ -162,6 +163,15 @@ private:
             faceted_ = r->fragments > 0;
             return walk_profile(use_of(r->profile), Placement{}, placement, leaf, false);
         }
+        add(std::move(leaf), placement);
+        return true;
+    }
+
+    // Sides in slices: what the solid says its facets are.
+    bool add_facets(PlacedLeaf leaf, NodeId id, const Placement& placement) {
+        auto facets = facets_of(solid_, id);
+        if (!facets) return false;
+        leaf.shape = shape::Polyhedron{std::make_shared<const FacetList>(std::move(*facets))};
         add(std::move(leaf), placement);
         return true;
     }
@@ -249,7 +259,7 @@ LeafDistances::~LeafDistances() = default;
 Result<LeafDistances> LeafDistances::of(const Solid& solid) {
     LeafDistances r;
     if (!Gatherer(solid, r.leaves_).walk(solid.root(), Placement{}, {}))
-        return fail(Fault::kScene, "check does not know the surface of an extrusion that is twisted in slices");
+        return fail(Fault::kScene, "check cannot cut an extrusion into its slices");
     const auto flat = std::stable_partition(r.leaves_.begin(), r.leaves_.end(), is_curved);
     r.curved_ = static_cast<std::size_t>(flat - r.leaves_.begin());
     r.grid_ = std::make_unique<Grid>();

@@ -40,7 +40,7 @@ struct PlacedLeaf {
 
 class LeafDistances {
 public:
-    // Fails with kScene for shapes whose surface is not known here (a twisted extrusion in slices).
+    // Fails with kScene where an extrusion in slices cannot be cut into facets.
     static Result<LeafDistances> of(const Solid& solid);
     LeafDistances(LeafDistances&&) noexcept;
     LeafDistances& operator=(LeafDistances&&) noexcept;

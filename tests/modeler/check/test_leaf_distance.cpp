@@ -94,3 +94,12 @@ TEST_CASE("a far point finds the nearest of many leaves") {
     CHECK(leaves->nearest({40, 7, 0}, 0.01, 0.001, 4).distance == Approx(6.75));
     CHECK(leaves->nearest({40, 0.26, 0}, 0.01, 0.001, 4).ratio == Approx(1));
 }
+
+TEST_CASE("a twist in slices is measured against its facets") {
+    SolidBuilder b;
+    const NodeId square = b.shape(shape::Rectangle{{-1, -1}, {1, 1}});
+    const Solid solid = b.finish(use(b.shape(shape::Extrusion{square, 0, 4, 90, Vec2(1), 2})));
+    CHECK(nearest(solid, {0, 0, 3.5}) == Approx(0.5));
+    CHECK(nearest(solid, {-std::sqrt(2), 0, 2}) < 1e-12);  // a corner, turned by half of the twist
+    CHECK(nearest(solid, {1, 1, 0}) < 1e-12);
+}
