@@ -33,19 +33,23 @@ public:
     }
 
     std::uint32_t leftmost(const Ring& ring) const {
-        return *std::min_element(ring.begin(), ring.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return points_[a].x != points_[b].x ? points_[a].x < points_[b].x : points_[a].y < points_[b].y;
-        });
+        return *std::min_element(ring.begin(), ring.end(), [&](std::uint32_t a, std::uint32_t b) { return is_left(a, b); });
+    }
+    bool is_left(std::uint32_t a, std::uint32_t b) const {
+        return points_[a].x != points_[b].x ? points_[a].x < points_[b].x : points_[a].y < points_[b].y;
     }
 
-    // Walks from the nearest corner of the ring that sees the hole's leftmost corner, around the hole, and back.
+    // Walks from the nearest corner of the ring that sees the hole's leftmost corner, around the hole, and back. Only corners to its left: the way
+    // there cannot cross the hole, and one of them is in sight.
     bool join(Ring& ring, const Ring& hole) const {
         const std::uint32_t tip = leftmost(hole);
         std::vector<std::size_t> order(ring.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         const auto distance = [&](std::size_t i) { return glm::dot(points_[ring[i]] - points_[tip], points_[ring[i]] - points_[tip]); };
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-        const auto from = std::find_if(order.begin(), order.end(), [&](std::size_t i) { return opens_towards(ring, i, tip) && sees(ring, i, tip); });
+        const auto from = std::find_if(order.begin(), order.end(), [&](std::size_t i) {
+            return is_left(ring[i], tip) && opens_towards(ring, i, tip) && sees(ring, i, tip);
+        });
         if (from == order.end()) return false;
         Ring walk;
         const std::size_t start = static_cast<std::size_t>(std::find(hole.begin(), hole.end(), tip) - hole.begin());

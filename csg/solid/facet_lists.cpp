@@ -22,6 +22,7 @@ constexpr double kEqualDiagonals = 1e-5;
 constexpr double kMostCorners = 1 << 26;
 
 tl::unexpected<Error> cannot(const char* what) { return fail(Fault::kScene, what); }
+constexpr double kSmoothTolerance = 0x1p-12;  // of the profile's size: sides of twists without slices; finer costs quadratically
 constexpr const char* kTooMany = "more facets than memory should hold: lower $fn or slices";
 
 bool too_many(double layers, double corners_each) { return layers * corners_each > kMostCorners; }
@@ -95,15 +96,24 @@ struct Outline {
     std::vector<IndexTriangle> inside;
 };
 
-Result<Outline> outline_of(const Solid& solid, NodeId profile, double tolerance) {
+double profile_size(const Solid& solid, NodeId profile) {
     const Bounds& box = solid.bounds(profile);
-    const double size = std::max(glm::length(box.lo), glm::length(box.hi));
+    return std::max(glm::length(box.lo), glm::length(box.hi));
+}
+
+// `longest`: sides are cut into pieces no longer than this (0: not at all).
+Result<Outline> outline_of(const Solid& solid, NodeId profile, double tolerance, double longest = 0) {
     Outline out;
-    for (const auto& contour : contours_of(solid, profile, tolerance > 0 ? tolerance : size * kProfileTolerance)) {
+    for (const auto& contour : contours_of(solid, profile, tolerance > 0 ? tolerance : profile_size(solid, profile) * kProfileTolerance)) {
         Facet& ring = out.contours.emplace_back();
-        for (const Vec2& p : contour) {
-            ring.push_back(static_cast<std::uint32_t>(out.points.size()));
-            out.points.push_back(p);
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const Vec2 a = contour[i], b = contour[(i + 1) % contour.size()];
+            const double pieces = longest > 0 ? std::max(1.0, std::ceil(glm::distance(a, b) / longest)) : 1;
+            if (too_many(pieces, 1)) return cannot(kTooMany);
+            for (double k = 0; k < pieces; ++k) {
+                ring.push_back(static_cast<std::uint32_t>(out.points.size()));
+                out.points.push_back(a + (b - a) * (k / pieces));
+            }
         }
     }
     auto inside = ear_clipped(out.points, out.contours);
@@ -142,12 +152,26 @@ FacetList tidied(const FacetList& mesh) {
     return out;
 }
 
+// A twisted or unevenly scaled extrusion without slices of its own, within `error` of the true surface: half of it for the chord of a turn,
+// half for the bend of a side between two slices, a quarter of its length times the slice's turn.
+struct SmoothCut {
+    double slices = 1, longest = 0;
+};
+SmoothCut smooth_cut(const shape::Extrusion& s, double size, double error) {
+    const double turn = std::abs(s.twist_deg) * kRadiansPerDegree + std::abs(1 - s.scale_top.x) + std::abs(1 - s.scale_top.y);
+    const double slices = std::max(1.0, std::ceil(turn * std::sqrt(size / (4 * error))));
+    return {slices, 2 * error * slices / turn};
+}
+
 Result<FacetList> extrusion_facets(const Solid& solid, const shape::Extrusion& s, double tolerance) {
     const bool even = s.twist_deg == 0 && s.scale_top.x == s.scale_top.y;
-    if (s.slices == 0 && !even) return cannot("a smoothly twisted or scaled extrusion has no facets");
-    const auto outline = outline_of(solid, s.profile, tolerance);
+    const bool smooth = s.slices == 0 && !even;
+    const double size = profile_size(solid, s.profile), error = tolerance > 0 ? tolerance : size * kSmoothTolerance;
+    const SmoothCut cut = smooth ? smooth_cut(s, size, error) : SmoothCut{};
+    if (too_many(cut.slices, 1)) return cannot(kTooMany);
+    const auto outline = outline_of(solid, s.profile, smooth ? error : tolerance, cut.longest);
     if (!outline) return tl::unexpected(outline.error());
-    const int slices = even ? 1 : s.slices;
+    const int slices = even ? 1 : smooth ? static_cast<int>(cut.slices) : s.slices;
     const auto layer = static_cast<std::uint32_t>(outline->points.size());
     if (too_many(slices + 1.0, layer)) return cannot(kTooMany);
     FacetList out;

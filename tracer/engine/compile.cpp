@@ -4,6 +4,7 @@
 
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
+#include "tracer/engine/tile.h"
 
 namespace whittle {
 
@@ -40,6 +41,7 @@ public:
             program_.report.warnings.push_back(std::to_string(emptied_) + " parts are thinner than the snap and vanished; --no-snap keeps them");
         program_.classes = std::move(classes_.supports);
         program_.frames = std::move(formula_.table.frames);
+        describe_for_packets(program_);
         return std::make_shared<const Program>(std::move(program_));
     }
 
@@ -54,6 +56,7 @@ private:
         leaf.first = n.data;
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);
+        program_.leaf_boxes.push_back(outward(n.box));
         return Ref::leaf(static_cast<std::uint32_t>(program_.leaves.size() - 1));
     }
 
@@ -146,7 +149,7 @@ private:
             if (m.mesh->triangles.empty()) built->order.clear(), built->nodes[0].count = 0;
             hierarchy = std::move(built);
         }
-        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}};
+        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, m.exact};
         for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
         program_.meshes.push_back(std::move(leaf));
     }

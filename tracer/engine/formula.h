@@ -72,6 +72,7 @@ struct MeshPart {
     FrameId frame = 0;
     std::shared_ptr<const TriangleList> mesh;
     std::vector<SupportId> facets;  // one a triangle; kNoSupport where it has no area
+    bool exact = true;              // false: it stands for a curved surface, within a tolerance
 };
 
 enum class FormulaKind : std::uint8_t { kCell, kPrism, kMesh, kAnd, kOr, kNothing, kEverything };

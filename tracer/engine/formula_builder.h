@@ -49,6 +49,8 @@ private:
     FormulaId operator_shape(const shape::Rectangle& s, const Site& site);
     FormulaId operator_shape(const shape::Polygon& s, const Site& site);
     FormulaId faceted(NodeId id, const Site& site);
+    // Are the facets of the shape its true surface? False for a smooth twist, and where true arcs become chords.
+    bool has_flat_faces(NodeId id) const;
     FormulaId prism(const std::vector<std::vector<Vec2>>& contours, const Site& site);
 
     // Revolution of a 2D node; `plane` maps the profile's plane (x: radius, y: height).

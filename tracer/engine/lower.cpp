@@ -327,6 +327,17 @@ FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, 
     return push(std::move(n));
 }
 
+bool FormulaBuilder::has_flat_faces(NodeId id) const {
+    const Node& n = solid_.node(id);
+    if (const auto* c = std::get_if<Combination>(&n))
+        return std::all_of(c->operands.begin(), c->operands.end(), [&](const Use& u) { return has_flat_faces(u.node); });
+    const Shape& s = std::get<Shape>(n);
+    if (const auto* e = std::get_if<shape::Extrusion>(&s))
+        return (e->slices > 0 || (e->twist_deg == 0 && e->scale_top.x == e->scale_top.y)) && has_flat_faces(e->profile);
+    if (const auto* r = std::get_if<shape::Revolution>(&s)) return r->fragments > 0 && has_flat_faces(r->profile);
+    return !std::holds_alternative<shape::Disc>(s);
+}
+
 FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
     auto& list = triangles_[id];
     if (!list) {
@@ -342,7 +353,7 @@ FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
         list = std::move(triangles);
     }
     Placer p(out_, site.chain, site.motion, solid_.bounds(id), Absorb::kNothing);
-    MeshPart part{p.frame(), list, {}};
+    MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
     for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));
     FormulaNode n;
     n.kind = FormulaKind::kMesh;

@@ -41,6 +41,7 @@ struct Group {
     bool is_and = false;
     bool outside_value = false;
     bool bounded = false;
+    bool holds = false;  // some leaf below is not negated
     Bounds box;
     std::uint32_t first_plain = 0, plain_count = 0;
     std::uint32_t first_item = 0, item_count = 0;  // into `refs`, in the hierarchy's order
@@ -60,6 +61,15 @@ struct MeshLeaf {
     std::shared_ptr<const TriangleList> mesh;
     std::shared_ptr<const Hierarchy> hierarchy;
     std::vector<ClassId> facets;
+    bool exact = true;  // its ends are certified
+};
+
+// The use that a border on a class shows, as far as the class alone tells: always `use`; or, where only cutters that name no surface have it, the least
+// use that holds the place; or it depends on which leaves meet there.
+struct ClassLabel {
+    enum class Kind : std::uint8_t { kUse, kHeld, kDepends };
+    Kind kind = Kind::kDepends;
+    std::uint32_t use = 0;
 };
 
 class Program {
@@ -69,6 +79,8 @@ public:
     std::vector<Support> classes;
     std::vector<HalfSpace> half_spaces;
     std::vector<Leaf> leaves;
+    std::vector<FloatBox> leaf_boxes;      // around each leaf that is not negated, around what it takes away where it is; may be infinite
+    std::vector<ClassLabel> class_labels;  // by class
     std::vector<Group> groups;
     std::vector<Ref> refs;
     std::vector<BoxNode> nodes;

@@ -2,14 +2,9 @@
 #include <algorithm>
 
 #include "tracer/engine/gradient.h"
-#include "tracer/engine/walker.h"
+#include "tracer/engine/scratch.h"
 
 namespace whittle {
-
-struct Scratch::Impl {
-    Walker walker;
-    std::vector<Walker::Cause> causes;
-};
 
 Scratch::Scratch() : impl(std::make_unique<Impl>()) {}
 Scratch::~Scratch() = default;
@@ -49,12 +44,18 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const 
     Event at = e;
     at.before = false;
     impl.walker.causes(program.root, at, impl.causes);
+    if (impl.causes.empty()) impl.walker.causes_among_met(at, impl.causes);
     End end;
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
     end.surface = impl.causes.empty() ? e.id : impl.causes.front().id;
     for (const Walker::Cause& c : impl.causes)
         if (c.id == e.id) end.surface = e.id;
+    for (const Walker::Cause& c : impl.causes) {
+        const Leaf& leaf = program.leaves[c.leaf];
+        if (leaf.kind == FormulaKind::kMesh && !program.meshes[leaf.first].exact) end.certified = false;
+    }
+    if (!end.certified) ++impl.walker.context().counters().uncertified;
     end.use = shown_use(program, impl.walker, impl.causes, at, entering);
     const Support& support = program.classes[end.surface];
     end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point_at(ray, e.t));

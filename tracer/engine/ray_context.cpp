@@ -4,13 +4,14 @@
 namespace whittle {
 
 void RayContext::start(const Program& program, const Ray& ray, EngineCounters& counters) {
-    if (program_ != &program) {
+    // By size, not by address: another program may stand where one stood. Stamps of an older ray are no harm.
+    if (frame_stamps_.size() != program.frames.size() || moved_.empty() != (program.motions.size() == 1)) {
         frame_stamps_.assign(program.frames.size(), 0);
         frame_rays_.resize(program.frames.size());
         moved_.resize(program.motions.size() > 1 ? program.frames.size() : 0);
         stamp_ = 0;
-        program_ = &program;
     }
+    program_ = &program;
     if (++stamp_ == 0) {
         std::fill(frame_stamps_.begin(), frame_stamps_.end(), 0);
         stamp_ = 1;

@@ -284,6 +284,11 @@ void Walker::causes(Ref ref, const Event& at, std::vector<Cause>& out) {
     });
 }
 
+void Walker::causes_among_met(const Event& at, std::vector<Cause>& out) {
+    for (std::uint32_t leaf = 0; leaf < slots_.size(); ++leaf)
+        if (slots_[leaf].stamp == stamp_) causes(Ref::leaf(leaf), at, out);
+}
+
 std::uint32_t Walker::containing_use(Ref ref, const Event& cursor) {
     const Program& program = context_.program();
     if (!state(ref, cursor)) return kNoLeafUse;

@@ -40,6 +40,8 @@ public:
         ClassId id;
     };
     void causes(Ref ref, const Event& at, std::vector<Cause>& out);
+    // The same by asking every leaf met so far: for a ray whose rounded origin misses a box by the rounding of its departure.
+    void causes_among_met(const Event& at, std::vector<Cause>& out);
     // The least use whose leaf holds the place and is not subtracted; kNoLeafUse if there is none.
     std::uint32_t containing_use(Ref ref, const Event& cursor);
     static constexpr std::uint32_t kNoLeafUse = 0xFFFFFFFF;
