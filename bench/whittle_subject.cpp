@@ -1,4 +1,5 @@
 // whittle_subject.cpp — the engine as a subject.
+#include "bench/ray_sets.h"
 #include "bench/subject.h"
 #include "tracer/engine/engine.h"
 
@@ -22,6 +23,11 @@ void first(Engine& e, const Ray* rays, int count, Answer* answers) {
         const bool found = first_hit(*e.program, rays[i], HUGE_VAL, e.scratch, hit);
         store(hit, found, answers[i]);
     }
+}
+
+void first_packets(Engine& e, const Ray* rays, int count, Answer* answers) {
+    first_hits(*e.program, rays, count, HUGE_VAL, e.scratch, e.hits.data(), e.found.get());
+    for (int i = 0; i < count; ++i) store(e.hits[static_cast<std::size_t>(i)], e.found[static_cast<std::size_t>(i)], answers[i]);
 }
 
 void any(Engine& e, const Ray* rays, int count, Answer* answers) {
@@ -48,13 +54,16 @@ void spans(Engine& e, const Ray* rays, int count, Answer* answers) {
 
 }  // namespace
 
-Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool) {
+Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool coherent) {
     auto program = compile(scene.solid);
     if (!program) return tl::unexpected<Error>(program.error());
     const auto engine = std::make_shared<Engine>();
     engine->program = *program;
     const auto of = [&](auto f) { return [engine, f](const Ray* rays, int count, Answer* answers) { f(*engine, rays, count, answers); }; };
     std::vector<Subject> subjects;
+    engine->hits.resize(kBatch);
+    engine->found = std::make_unique<bool[]>(kBatch);
+    if (query == Query::kFirst && coherent) subjects.push_back({"whittle packets", of(first_packets)});
     if (query == Query::kFirst) subjects.push_back({"whittle ray", of(first)});
     if (query == Query::kAny) subjects.push_back({"whittle ray", of(any)});
     if (query == Query::kSpans) subjects.push_back({"whittle ray", of(spans)});

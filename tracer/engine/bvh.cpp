@@ -149,6 +149,15 @@ private:
 
 }  // namespace
 
+FloatBox outward(const Bounds& box) {
+    FloatBox r;
+    for (std::size_t i = 0; i < 3; ++i) {
+        r.lo[i] = below(box.lo[static_cast<int>(i)]);
+        r.hi[i] = above(box.hi[static_cast<int>(i)]);
+    }
+    return r;
+}
+
 Hierarchy build_hierarchy(const std::vector<Bounds>& boxes, double item_cost, std::uint32_t most_in_leaf) {
     return Builder(boxes, item_cost, most_in_leaf).take();
 }

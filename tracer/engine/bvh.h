@@ -19,6 +19,13 @@ struct BoxNode {
     std::uint32_t count = 0;
 };
 
+struct FloatBox {
+    std::array<float, 3> lo, hi;
+};
+
+// The box in float, rounded outward.
+FloatBox outward(const Bounds& box);
+
 struct Hierarchy {
     std::vector<BoxNode> nodes;        // root first
     std::vector<std::uint32_t> order;  // items by leaf

@@ -1,0 +1,101 @@
+// packet_test.cpp — packets give what single rays give, to the bit, on every instruction set this machine has.
+#include <catch2/catch.hpp>
+
+#include <cstring>
+
+#include <hwy/targets.h>
+
+#include "tests/support/random_solid.h"
+#include "tests/tracer/engine/rays.h"
+#include "tracer/engine/engine.h"
+
+using namespace whittle;
+using namespace whittle::support;
+using namespace whittle::testing;
+
+namespace {
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+
+bool same_bits(const Hit& a, const Hit& b) {
+    if (a.departure.count != b.departure.count) return false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(a.departure.count); ++i)
+        if (a.departure.classes[i] != b.departure.classes[i]) return false;
+    return same_bits(a.end.t, b.end.t) && same_bits(a.end.t_error, b.end.t_error) && same_bits(a.end.normal, b.end.normal) && same_bits(a.point, b.point) &&
+           a.end.surface == b.end.surface && a.end.use == b.end.use && a.end.certified == b.end.certified && a.from_inside == b.from_inside;
+}
+
+// A tile around a ray: the ray itself, and neighbours whose directions are turned by multiples of `step`, all from its origin.
+std::vector<Ray> tile_around(const Ray& ray, int count, double step) {
+    std::vector<Ray> rays;
+    const double l = glm::length(ray.direction);
+    for (int i = 0; i < count; ++i) {
+        Ray r = ray;
+        r.departure = nullptr;
+        r.direction += l * step * Vec3(i % 16, i / 16, (i * 7) % 5);
+        rays.push_back(r);
+    }
+    return rays;
+}
+
+// Rays whose packet answer differs from the single one. `together` counts those that packets answered.
+int differing(const Program& program, const std::vector<Ray>& rays, double t_max, std::uint64_t& hits) {
+    Scratch a, b;
+    std::vector<Hit> many(rays.size());
+    const auto found = std::make_unique<bool[]>(rays.size());
+    first_hits(program, rays.data(), static_cast<int>(rays.size()), t_max, a, many.data(), found.get());
+    int wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Hit one;
+        const bool is = first_hit(program, rays[i], t_max, b, one);
+        hits += is;
+        wrong += is != found[i] || (is && !same_bits(one, many[i]));
+    }
+    return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("packets give the hits of single rays, to the bit, on every instruction set") {
+    const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        std::uint64_t hits = 0;
+        for (int theme = 0; theme < kThemes; ++theme)
+            for (std::uint64_t i = 0; i < 12; ++i) {
+                const RandomSolid solid = random_solid(static_cast<Theme>(theme), seed * 1000 + i);
+                const auto program = compile(solid.solid);
+                if (!program) continue;
+                std::mt19937_64 random(i);
+                for (int k = 0; k < 4; ++k) {
+                    const std::vector<Ray> rays = tile_around(random_ray(solid, random), 1 + static_cast<int>(random() % 256), k % 2 == 0 ? 1e-3 : 0x1p-7);
+                    const double t_max = k == 3 ? 1.0 : HUGE_VAL;
+                    INFO(hwy::TargetName(target) << " " << name_of(static_cast<Theme>(theme)) << " " << seed * 1000 + i << " ray " << to_text(rays.front()));
+                    CHECK(differing(**program, rays, t_max, hits) == 0);
+                }
+            }
+        CHECK(hits > 5000);
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_CASE("a tile's rays along an axis, and rays that do not go together, have the hits of single rays") {
+    SolidBuilder b;
+    const NodeId plate = b.shape(shape::Box{Vec3(-2, -2, 0), Vec3(2, 2, 1)}), drill = b.shape(shape::Frustum{-1, 2, 0.5, 0.5});
+    const auto at = [](NodeId node, double x) { return Use{node, kNoLabel, 0, Placement::translation({x, 0, 0})}; };
+    const auto program = compiled(b.finish(at(b.combine(SetOp::kDifference, {at(plate, 0), at(drill, -1), at(drill, 1)}), 0)));
+    std::vector<Ray> down, anyhow;
+    Random random(3);
+    for (int i = 0; i < 256; ++i) {
+        Ray ray;
+        ray.origin = {-2.5 + 5.0 * (i % 16) / 15, -2.5 + 5.0 * (i / 16) / 15, 5};
+        ray.direction = {0, 0, -1};
+        down.push_back(ray);
+        anyhow.push_back(random.ray_through({Vec3(-2), Vec3(2)}));
+    }
+    std::uint64_t hits = 0;
+    CHECK(differing(*program, down, HUGE_VAL, hits) == 0);
+    CHECK(differing(*program, anyhow, HUGE_VAL, hits) == 0);
+    CHECK(hits > 200);
+}

@@ -1,0 +1,214 @@
+// tile.cpp — folding a program to a tile.
+#include "tracer/engine/tile.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace whittle {
+
+namespace {
+
+// A few roundings, relative, with plenty of room: culling may keep too much, never too little.
+constexpr double kRoom = 0x1p-44;
+
+double lower(double x) { return x - std::abs(x) * kRoom; }
+double upper(double x) { return x + std::abs(x) * kRoom; }
+
+std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+TileBounds tile_bounds(const std::array<double, 3>& o_lo, const std::array<double, 3>& o_hi, const std::array<double, 3>& d_lo, const std::array<double, 3>& d_hi) {
+    TileBounds b;
+    b.o_lo = o_lo;
+    b.o_hi = o_hi;
+    double best = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double least = d_lo[i] > 0 ? d_lo[i] : d_hi[i] < 0 ? -d_hi[i] : 0;
+        if (!(least > best)) continue;
+        best = least;
+        b.axis = i;
+        b.backward = d_hi[i] < 0;
+    }
+    b.slowest = best;
+    b.fastest = std::max(std::abs(d_lo[b.axis]), std::abs(d_hi[b.axis]));
+    b.coherent = best >= 0x1p-500 && b.fastest < 2 * b.slowest;
+    for (std::size_t i = 0; i < 3; ++i) {
+        b.coherent = b.coherent && std::isfinite(o_lo[i]) && std::isfinite(o_hi[i]) && std::isfinite(d_lo[i]) && std::isfinite(d_hi[i]);
+        if (i == b.axis) continue;
+        b.n_lo[i] = lower(d_lo[i] < 0 ? d_lo[i] / b.slowest : d_lo[i] / b.fastest);
+        b.n_hi[i] = upper(d_hi[i] > 0 ? d_hi[i] / b.slowest : d_hi[i] / b.fastest);
+        if (b.n_lo[i] == 0) b.n_lo[i] = -std::numeric_limits<double>::min();
+        if (b.n_hi[i] == 0) b.n_hi[i] = std::numeric_limits<double>::min();
+        b.inverse_lo[i] = 1 / b.n_lo[i];
+        b.inverse_hi[i] = 1 / b.n_hi[i];
+    }
+    return b;
+}
+
+bool TileBounds::meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const {
+    const double ahead_lo = backward ? o_lo[axis] - hi[axis] : lo[axis] - o_hi[axis];
+    const double ahead_hi = backward ? o_hi[axis] - lo[axis] : hi[axis] - o_lo[axis];
+    double w0 = std::max(0.0, ahead_lo), w1 = ahead_hi;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == axis) continue;
+        // The upper line o_hi + w n_hi must not stay below lo, nor the lower one above hi.
+        const double rise = (lo[i] - o_hi[i]) * inverse_hi[i], fall = (hi[i] - o_lo[i]) * inverse_lo[i];
+        if (n_hi[i] > 0) {
+            w0 = rise > w0 ? rise : w0;
+        } else {
+            w1 = rise < w1 ? rise : w1;
+        }
+        if (n_lo[i] < 0) {
+            w0 = fall > w0 ? fall : w0;
+        } else {
+            w1 = fall < w1 ? fall : w1;
+        }
+    }
+    near = lower(lower(w0) / fastest);
+    far = upper(upper(w1) / slowest);
+    return lower(w0) <= upper(w1) && w1 >= 0;
+}
+
+void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref) {
+    nodes.clear();
+    children.clear();
+    pending_.clear();
+    leaf_count = 0;
+    holders_lost = false;
+    root = add(program, bounds, ref);
+}
+
+std::uint32_t TileTree::add(const Program& program, const TileBounds& bounds, Ref ref) {
+    return ref.is_leaf() ? add_leaf(program, bounds, ref.index()) : add_group(program, bounds, program.groups[ref.index()]);
+}
+
+std::uint32_t TileTree::add_leaf(const Program& program, const TileBounds& bounds, std::uint32_t index) {
+    const Leaf& leaf = program.leaves[index];
+    const FloatBox& box = program.leaf_boxes[index];
+    TileNode n;
+    if (!bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far)) return leaf.negated ? kTrue : kFalse;
+    n.negated = n.outside = leaf.negated;
+    n.holds = !leaf.negated;
+    n.leaf = index;
+    n.slot = leaf_count++;
+    nodes.push_back(n);
+    return static_cast<std::uint32_t>(nodes.size() - 1);
+}
+
+std::uint32_t TileTree::add_group(const Program& program, const TileBounds& bounds, const Group& g) {
+    TileNode n;
+    n.kind = g.is_and ? TileNode::Kind::kAnd : TileNode::Kind::kOr;
+    n.outside = g.outside_value;
+    n.near = -HUGE_VAL;
+    n.far = HUGE_VAL;
+    const std::uint32_t neutral = g.is_and ? kTrue : kFalse, absorbing = g.is_and ? kFalse : kTrue;
+    if (g.bounded) {
+        const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
+        if (!bounds.meets(lo, hi, n.near, n.far)) {
+            holders_lost = holders_lost || (g.outside_value && g.holds);
+            return g.outside_value ? kTrue : kFalse;
+        }
+    }
+    const std::size_t first = pending_.size();
+    bool open = true;
+    const auto take = [&](Ref ref) {
+        const std::uint32_t child = add(program, bounds, ref);
+        if (child == neutral) return true;
+        if (child == absorbing) return open = false;
+        pending_.push_back(child);
+        return true;
+    };
+    for (std::uint32_t i = 0; open && i < g.plain_count; ++i) take(program.refs[g.first_plain + i]);
+    if (open && g.item_count > 0) {
+        std::array<std::uint32_t, 128> stack;
+        std::size_t top = 0;
+        stack[top++] = g.hierarchy;
+        while (open && top > 0) {
+            const BoxNode& node = program.nodes[stack[--top]];
+            double near = 0, far = 0;
+            if (!bounds.meets(widened(node.lo), widened(node.hi), near, far)) continue;
+            if (node.count == 0) {
+                stack[top++] = node.first + 1;
+                stack[top++] = node.first;
+                continue;
+            }
+            for (std::uint32_t i = 0; open && i < node.count; ++i) take(program.refs[node.first + i]);
+        }
+        // An item that is true outside its box but holds leaves that are not negated is passed over here as it is by a single ray.
+    }
+    if (!open || pending_.size() == first) {
+        pending_.resize(first);
+        if (!open && !g.is_and && g.holds) holders_lost = true;
+        return open ? neutral : absorbing;
+    }
+    if (pending_.size() == first + 1) {
+        const std::uint32_t only = pending_[first];
+        pending_.resize(first);
+        return only;
+    }
+    const auto begin = pending_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, pending_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const TileNode &x = nodes[a], &y = nodes[b];
+        if (x.outside != y.outside) return y.outside == g.is_and;
+        if (x.near != y.near) return (x.near < y.near) != (g.is_and && !x.outside);
+        return a < b;
+    });
+    n.first = static_cast<std::uint32_t>(children.size());
+    n.count = static_cast<std::uint32_t>(pending_.size() - first);
+    for (std::size_t i = first; i < pending_.size(); ++i) n.holds = n.holds || nodes[pending_[i]].holds;
+    children.insert(children.end(), begin, pending_.end());
+    pending_.resize(first);
+    nodes.push_back(n);
+    return static_cast<std::uint32_t>(nodes.size() - 1);
+}
+
+namespace {
+
+bool holds(const Program& program, Ref ref) {
+    return ref.is_leaf() ? !program.leaves[ref.index()].negated : program.groups[ref.index()].holds;
+}
+
+}  // namespace
+
+void describe_for_packets(Program& program) {
+    struct Users {
+        std::uint32_t leaf = 0, count = 0;
+        bool silent_cutters = true;
+    };
+    std::vector<Users> users(program.classes.size());
+    const auto meet = [&](ClassId id, std::uint32_t leaf, bool countable) {
+        if (id == kNoClass) return;
+        Users& u = users[id];
+        const LeafUse& use = program.uses[program.leaves[leaf].use];
+        if (u.count == 0 || u.leaf != leaf) ++u.count;
+        u.leaf = leaf;
+        u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material.names_surface();
+        if (!countable) u.count += 2;
+    };
+    for (std::uint32_t i = 0; i < program.leaves.size(); ++i) {
+        const Leaf& leaf = program.leaves[i];
+        if (leaf.kind == FormulaKind::kCell)
+            for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
+        if (leaf.kind == FormulaKind::kPrism)
+            for (const ClassId id : program.prisms[leaf.first].edges) meet(id, i, false);
+        if (leaf.kind == FormulaKind::kMesh)
+            for (const ClassId id : program.meshes[leaf.first].facets) meet(id, i, false);
+    }
+    for (const Users& u : users) {
+        ClassLabel label;
+        if (u.count > 0 && u.silent_cutters) {
+            label.kind = ClassLabel::Kind::kHeld;
+        } else if (u.count == 1) {
+            label = {ClassLabel::Kind::kUse, program.leaves[u.leaf].use};
+        }
+        program.class_labels.push_back(label);
+    }
+    // Children stand before their groups.
+    for (Group& g : program.groups) {
+        for (std::uint32_t i = 0; i < g.plain_count; ++i) g.holds = g.holds || holds(program, program.refs[g.first_plain + i]);
+        for (std::uint32_t i = 0; i < g.item_count; ++i) g.holds = g.holds || holds(program, program.refs[g.first_item + i]);
+    }
+}
+
+}  // namespace whittle

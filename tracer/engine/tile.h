@@ -1,0 +1,65 @@
+// tile.h — the part of a program that a tile of rays can meet: bounds of the rays, and the formula folded to what lies within them. Private to the engine.
+//
+// Along the main axis k of the tile's directions every ray is x_i(w) = o_i + w n_i, w >= 0 the way along k: intervals of o_i and n_i bound all rays, and
+// a box cuts an interval of w out of them, as a slab test does for one ray. What the tile misses has its value outside its box and folds away.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tracer/engine/program.h"
+
+namespace whittle {
+
+inline constexpr int kTileRays = 256;
+
+// Bounds of a tile's rays. Built from extremes of origins and directions; every result errs outward.
+struct TileBounds {
+    bool coherent = false;  // else nothing below holds
+    std::size_t axis = 0;
+    bool backward = false;
+    std::array<double, 3> o_lo, o_hi;
+    std::array<double, 3> n_lo, n_hi, inverse_lo, inverse_hi;  // of d_i / |d_axis|, i != axis; never 0
+    double slowest = 0, fastest = 0;                           // of |d_axis|
+
+    // False: no ray of the tile meets the box at t >= 0. [near, far] holds t wherever one does.
+    bool meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const;
+};
+
+TileBounds tile_bounds(const std::array<double, 3>& o_lo, const std::array<double, 3>& o_hi, const std::array<double, 3>& d_lo, const std::array<double, 3>& d_hi);
+
+// A node of the folded formula: `outside` wherever t is not in [near, far].
+struct TileNode {
+    enum class Kind : std::uint8_t { kLeaf, kAnd, kOr };
+    Kind kind = Kind::kLeaf;
+    bool negated = false;  // leaves
+    bool outside = false;
+    bool holds = false;    // some leaf in it is not negated
+    std::uint32_t leaf = 0;                          // of the program
+    std::uint32_t slot = 0;                          // leaves: their number in this tree
+    std::uint32_t first = 0, count = 0;              // into TileTree::children
+    double near = 0, far = 0;
+};
+
+// The folded formula. Children that are not neutral outside stand first; those that are, by rising `near`.
+struct TileTree {
+    static constexpr std::uint32_t kFalse = 0xFFFFFFFF, kTrue = 0xFFFFFFFE;
+    std::vector<TileNode> nodes;
+    std::vector<std::uint32_t> children;
+    std::uint32_t root = kFalse;
+    std::uint32_t leaf_count = 0;
+    bool holders_lost = false;  // something that may hold a place of its true part was folded away
+
+    void build(const Program& program, const TileBounds& bounds, Ref ref);
+
+private:
+    std::uint32_t add(const Program& program, const TileBounds& bounds, Ref ref);
+    std::uint32_t add_leaf(const Program& program, const TileBounds& bounds, std::uint32_t leaf);
+    std::uint32_t add_group(const Program& program, const TileBounds& bounds, const Group& g);
+    std::vector<std::uint32_t> pending_;
+};
+
+// Fills what packets need of a finished program: class_labels and Group::holds.
+void describe_for_packets(Program& program);
+
+}  // namespace whittle
