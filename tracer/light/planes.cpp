@@ -42,7 +42,32 @@ void fill_hit(const Stage& stage, const Hit& hit, const Writer& writer) {
     writer.put(Aov::kCertified, hit.end.certified ? 1.0 : 0.0);
 }
 
+// Faces that meet more flatly than this (15 degrees) are drawn as one.
+constexpr double kFlatCosine = 0.9659258262890683;
+
+struct Seen {
+    bool met = false;
+    Hit hit;
+};
+
+Seen seen_at(const Stage& stage, double px, double py, Scratch& scratch) {
+    Seen s;
+    s.met = first_hit(*stage.program, picture_ray(stage, px, py), kInfinity, scratch, s.hit);
+    return s;
+}
+
+bool differ(const Seen& a, const Seen& b) {
+    if (!a.met || !b.met) return a.met != b.met;
+    return a.hit.end.surface != b.hit.end.surface && glm::dot(a.hit.end.normal, b.hit.end.normal) < kFlatCosine;
+}
+
 }  // namespace
+
+bool on_edge(const Stage& stage, double px, double py, Scratch& scratch) {
+    constexpr double kHalf = 0.5;
+    if (differ(seen_at(stage, px - kHalf, py - kHalf, scratch), seen_at(stage, px + kHalf, py + kHalf, scratch))) return true;
+    return differ(seen_at(stage, px - kHalf, py + kHalf, scratch), seen_at(stage, px + kHalf, py - kHalf, scratch));
+}
 
 Ray picture_ray(const Stage& stage, double px, double py) {
     const double half = stage.options.height / 2.0;

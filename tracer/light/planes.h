@@ -13,6 +13,9 @@ void fill_planes(const Stage& stage, int x, int y, Scratch& scratch, Film& film)
 Ray picture_ray(const Stage& stage, double px, double py);
 double picture_height(const Stage& stage, double py);
 
+// Does the picture change its surface within half a pixel of (px, py)? Silhouettes, and borders between faces that meet at an angle.
+bool on_edge(const Stage& stage, double px, double py, Scratch& scratch);
+
 // Length of the solid along the ray, in mm.
 double thickness_along(const Stage& stage, const Ray& ray, Scratch& scratch, Spans& spans);
 

@@ -43,7 +43,7 @@ struct RenderOptions {
     int max_depth = 16;     // mirrors and refractions one after the other
     Integrator integrator = Integrator::kAuto;
     Look look = Look::kShaded;
-    bool edges = false;                  // dark lines where neighbours meet other solids, surfaces or steps
+    bool edges = false;                  // dark lines at silhouettes and where faces meet at an angle
     FilterKind filter = FilterKind::kGaussian;
     AovSet aovs = 0;
     std::uint64_t seed = 0;

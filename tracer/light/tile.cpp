@@ -13,6 +13,9 @@ namespace whittle {
 
 namespace {
 
+// What is left of the light on a drawn edge.
+constexpr double kEdgeShare = 0.06;
+
 // What the samples of one tile share.
 struct TileWork {
     const Stage& stage;
@@ -60,7 +63,9 @@ void draw_sample(TileWork& work, int x, int y, int index, PixelSums& sums) {
         const double half = stage.options.height / 2.0;
         ray = camera_ray(stage.lens, (px - stage.options.width / 2.0) / half, (half - py) / half, sampler.pair(Draw::kLens));
     }
-    add_sample(light_along(work, ray, picture_height(stage, py), sampler), place.weight, sums);
+    CameraLight light = light_along(work, ray, picture_height(stage, py), sampler);
+    if (stage.options.edges && on_edge(stage, px, py, work.scratch)) light.radiance *= kEdgeShare;
+    add_sample(light, place.weight, sums);
 }
 
 double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }

@@ -152,3 +152,25 @@ TEST_CASE("a picture of thickness is darker where the solid is thicker") {
     CHECK(thick < thin);
     CHECK(thin < none);
 }
+
+TEST_CASE("edges darken the border of two faces and the silhouette, and nothing else") {
+    SceneBuilder b;
+    b.add(b.box(Vec3(-10), Vec3(10)));
+    const Solid solid = b.finish();
+    RenderOptions options = small_options();
+    options.width = options.height = 64;
+    RenderScene scene;
+    scene.camera = looking(Vec3(60, -60, 0));
+    const Film plain = drawn(solid, scene, options).film;
+    options.edges = true;
+    const Film lined = drawn(solid, scene, options).film;
+    const auto darker = [&](int x, int y) { return lined.color(lined.index(x, y)).x < 0.5 * plain.color(plain.index(x, y)).x; };
+    CHECK((darker(31, 32) || darker(32, 32)));
+    CHECK(!darker(25, 32));
+    CHECK(!darker(2, 2));
+    int dark = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) dark += darker(x, y);
+    CHECK(dark > 100);
+    CHECK(dark < 500);
+}
