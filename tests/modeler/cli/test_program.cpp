@@ -184,3 +184,32 @@ TEST_CASE("bench says which program it needs when that is not there") {
     CHECK(outcome.code == 3);
     CHECK(contains(outcome.err, "whittle-bench"));
 }
+
+TEST_CASE("--watch draws at once and ends by an interrupt") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", kScene);
+    const Outcome outcome = run_whittle(with_small({"render", scene, "-o", folder.name("a.png"), "--watch"}), {"", "", 2, ""});
+    CHECK(outcome.code == 130);
+    CHECK(folder.read("a.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("whittle.scad is an empty file to Whittle and gives OpenSCAD every addition, where it is installed") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("additions.scad",
+                                          "include <whittle.scad>\n"
+                                          "torus(10, 3); ellipsoid([1, 2, 3]); capsule([0, 0, 0], [0, 5, 5], 1); roundcube(4, 1, center = true);\n"
+                                          "intersection() { cube(5); halfspace([1, 1, 1], 3); }\n"
+                                          "material(\"gold\") part(\"x\") cube(1); light(p = [1, 2, 3]); sun([0, 0, -1]); area_light(); environment(\"white\");\n"
+                                          "camera([9, 9, 9], [0, 0, 0]); moving(translate = [1, 2, 3]) cube(1);\n");
+    const Outcome own = run_whittle({"spans", scene, "--ray=-50,0,0,1,0,0"});
+    INFO(own.err);
+    CHECK(own.code == 0);
+    CHECK_FALSE(contains(own.err, "WARNING"));
+    if (!std::filesystem::exists("/usr/bin/openscad")) return;
+    std::filesystem::copy_file(std::string(WHITTLE_SOURCE_DIR) + "/share/whittle.scad", folder.name("whittle.scad"));
+    const Outcome other = run_program("/usr/bin/openscad", {"-o", folder.name("a.csg"), scene});
+    INFO(other.err);
+    CHECK(other.code == 0);
+    CHECK_FALSE(contains(other.err, "WARNING"));
+    CHECK(contains(folder.read("a.csg"), "rotate_extrude("));
+}
