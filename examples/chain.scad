@@ -10,7 +10,7 @@ material("gold")
     for (i = [0 : links - 1])
         translate([i * pitch, 0, 0]) rotate([i % 2 * 90, 0, 0]) torus(ring_r, wire_r);
 
-camera(eye = [62, -88, 70], target = [(links - 1) * pitch / 2, 0, 0], fov = 28);
+camera(eye = [62, -88, 70], target = [(links - 1) * pitch / 2, 0, 0], fov = 36);
 
 // fact: volume = 2829.81297388; 7 * 2 pi^2 R r^2
 // fact: area = 3537.26621735; 7 * 4 pi^2 R r

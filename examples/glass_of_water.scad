@@ -14,7 +14,9 @@ material("glass") difference() {
 
 material("water") translate([0, 0, base]) cylinder(h = filled, r = outer_r - wall);
 
-color("orange") translate([-14, 0, base + 15]) rotate([0, 20, 0]) cylinder(h = 90, r = 2.5);  // a straw
+// A straw; where it stands in the water, the higher priority says that there is straw.
+material("plastic", color = "orange", priority = 1)
+    translate([-14, 0, base + 15]) rotate([0, 20, 0]) cylinder(h = 90, r = 2.5);
 
 color("whitesmoke") translate([0, 0, -2]) cylinder(h = 2, r = 70);  // the table
 

@@ -29,4 +29,4 @@ camera(eye = [34, -165, 58], target = [0, 0, 23], fov = 36);
 // fact: volume = 146086.36479; balls and lenses, hat, meadow less the cap of snow in it; the nose beyond the head by quadrature
 // fact: genus = 0; nothing goes through
 // fact: components = 1; he stands 2 mm deep in the snow
-// perturb: head_z = 47
+// perturb: chest_r = 14.6
