@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "modeler/mesh/paint.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
@@ -94,11 +95,13 @@ class Colours {
 public:
     explicit Colours(const MeshResult& result) : result_(result) {
         for (const MeshLeaf& leaf : result.leaves) any_ = any_ || leaf.material.color;
+        any_ = any_ && !result.mesh.leaf.empty();
+        if (any_) paint_ = painting_leaves(result);
     }
-    bool any() const { return any_ && !result_.mesh.leaf.empty(); }
+    bool any() const { return any_; }
     std::array<std::uint8_t, 4> of(std::size_t triangle) const {
         constexpr Vec4 kUnnamed{0.976, 0.843, 0.173, 1};  // OpenSCAD's yellow
-        const auto& color = result_.leaves[result_.mesh.leaf[triangle]].material.color;
+        const auto& color = result_.leaves[paint_[triangle]].material.color;
         const Vec4 c = glm::clamp(color.value_or(kUnnamed), 0.0, 1.0);
         std::array<std::uint8_t, 4> bytes{};
         for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(c[i] * 255));
@@ -107,6 +110,7 @@ public:
 
 private:
     const MeshResult& result_;
+    std::vector<std::uint32_t> paint_;
     bool any_ = false;
 };
 

@@ -89,6 +89,7 @@ TEST_CASE("an empty mesh is not written, an unknown suffix is refused") {
 TEST_CASE("colours are written where the author named some") {
     const auto file = write_mesh(part(), MeshFormat::kOff);
     CHECK(file->bytes.find(" 255 0 0\n") != std::string::npos);
+    CHECK(file->bytes.find(" 249 215 44\n") == std::string::npos);  // the cutter names no colour: its faces are the body's
     CHECK(write_mesh(part(), MeshFormat::kPly)->bytes.find("property uchar red") != std::string::npos);
 }
 
