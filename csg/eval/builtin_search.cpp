@@ -106,7 +106,8 @@ Value function_search(FunctionCall& call) {
     if (what.is_string() && table.is_string()) return search_string_in_string(what.string(), table.string(), q);
     if (what.is_string()) {
         if (table.is_vector()) return search_string_in_table(what.string(), table, q);
-        call.machine.warn(call.place, "search term not found: \"" + std::string(what.string()) + "\"");
+        for (const std::string_view character : code_points(what.string()))
+            call.machine.warn(call.place, "search term not found: \"" + std::string(character) + "\"");
         return call.machine.heap().vector(std::vector<Value>{});
     }
     if (what.is_vector()) return search_list(what, table, q);

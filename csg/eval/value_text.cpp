@@ -8,6 +8,41 @@ namespace whittle {
 
 void append_stream_number(std::string& out, double number) { fmt::format_to(std::back_inserter(out), "{:g}", number); }
 
+namespace {
+
+constexpr int kDigits = 6;
+
+// The six significant digits of a positive number, halves rounded up as double-conversion does, and the exponent of the first.
+int six_digits(double number, char (&digits)[kDigits]) {
+    const auto write = [&](int decimals, char (&text)[40]) {
+        *fmt::format_to(text, "{:.{}e}", number, decimals) = '\0';
+        int exponent = 0;
+        for (const char* c = text + decimals + 4; *c; ++c) exponent = exponent * 10 + (*c - '0');
+        return text[decimals + 3] == '-' ? -exponent : exponent;
+    };
+    // Thirteen digits decide unless they look like a half; then a true half has zeros as far as doubles reach.
+    char text[40];
+    int exponent = write(12, text);
+    const auto zeros_from = [&](int at, int end) {
+        while (at < end && text[at] == '0') ++at;
+        return at == end;
+    };
+    if (text[7] == '5' && zeros_from(8, 14)) exponent = write(24, text);
+    digits[0] = text[0];
+    for (int i = 1; i < kDigits; ++i) digits[i] = text[i + 1];
+    if (text[7] < '5') return exponent;
+    int i = kDigits - 1;
+    while (i >= 0 && digits[i] == '9') digits[i--] = '0';
+    if (i >= 0) {
+        ++digits[i];
+        return exponent;
+    }
+    digits[0] = '1';
+    return exponent + 1;
+}
+
+}  // namespace
+
 void append_number(std::string& out, double number) {
     if (std::isnan(number)) {
         out += "nan";
@@ -21,16 +56,10 @@ void append_number(std::string& out, double number) {
         fmt::format_to(std::back_inserter(out), "{}", static_cast<int>(number));
         return;
     }
-    // d.ddddde±xx, correctly rounded.
-    char text[32];
-    const std::size_t length = static_cast<std::size_t>(fmt::format_to(text, "{:.5e}", number) - text);
-    std::size_t at = 0;
-    if (text[0] == '-') out.push_back(text[at++]);
-    char digits[6] = {text[at], text[at + 2], text[at + 3], text[at + 4], text[at + 5], text[at + 6]};
-    int exponent = 0;
-    for (std::size_t i = at + 9; i < length; ++i) exponent = exponent * 10 + (text[i] - '0');
-    if (text[at + 8] == '-') exponent = -exponent;
-    int count = 6;
+    if (number < 0) out.push_back('-');
+    char digits[kDigits];
+    const int exponent = six_digits(std::fabs(number), digits);
+    int count = kDigits;
     while (count > 1 && digits[count - 1] == '0') --count;
     if (exponent >= 6 || exponent < -5) {
         out.push_back(digits[0]);

@@ -1,0 +1,52 @@
+// The examples that Debian's package `openscad` installs, against the program itself, where it is installed.
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "tests/csg/eval/memory_files.h"
+
+namespace fs = std::filesystem;
+using namespace whittle;
+using namespace whittle::test;
+
+namespace {
+
+const fs::path kExamples = "/usr/share/openscad/examples";
+
+// Dates of files are not part of a scene.
+std::string undated(const std::string& csg) { return std::regex_replace(csg, std::regex("timestamp = [0-9]+"), "timestamp = 0"); }
+
+std::string theirs(const fs::path& scene, const fs::path& out) {
+    const std::string command = "cd '" + scene.parent_path().string() + "' && openscad -o '" + out.string() + "' '" + scene.filename().string() + "' > /dev/null 2>&1";
+    if (std::system(command.c_str()) != 0) return {};
+    return DiscFiles().read_text(out.string()).value_or("");
+}
+
+}  // namespace
+
+TEST_CASE("installed examples flatten as OpenSCAD flattens them") {
+    if (!fs::exists(kExamples) || std::system("openscad -v > /dev/null 2>&1") != 0) {
+        WARN("openscad is not installed: nothing is compared");
+        return;
+    }
+    const fs::path out = fs::temp_directory_path() / ("whittle_examples_" + std::to_string(std::hash<std::string>{}(fs::current_path().string())) + ".csg");
+    int compared = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(kExamples)) {
+        const fs::path scene = entry.path();
+        if (scene.extension() != ".scad") continue;
+        if (scene.stem() == "example009") continue;  // reads dimensions of a drawing
+        const std::string wanted = theirs(scene, out);
+        if (wanted.empty()) continue;
+        DiscFiles files;
+        EvaluateInput input;
+        input.path = scene.string();
+        input.preview = true;
+        INFO(scene);
+        CHECK(undated(dump_csg(evaluate(input, files)->scene)) == undated(wanted));
+        ++compared;
+    }
+    fs::remove(out);
+    CHECK(compared > 30);
+}
