@@ -74,7 +74,7 @@ run_tests() {
     install_packages $program_packages $test_packages
     if ! configured_with WHITTLE_TESTS || ! configured_with WHITTLE_CGAL; then
         say "Configuring $build"
-        cmake --preset release -DWHITTLE_TESTS=ON -DWHITTLE_CGAL=ON
+        cmake --preset release -DWHITTLE_TESTS=ON -DWHITTLE_CGAL=ON -DWHITTLE_BENCH=ON
     fi
     say "Building everything"
     cmake --build "$build"
