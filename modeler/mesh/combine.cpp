@@ -5,7 +5,7 @@
 #include <chrono>
 #include <mutex>
 
-#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -198,7 +198,8 @@ private:
 
 Result<Parts> combine_plan(const Plan& plan, PlanId root, const CombineOptions& options, MeshControl& control, MeshStats& stats) {
     Combiner combiner(plan, options, control);
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const int most = tbb::info::default_concurrency();  // asking for more only makes TBB print a warning
+    tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, most) : most);
     return arena.execute([&] { return combiner.run(root, stats); });
 }
 
