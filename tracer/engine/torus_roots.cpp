@@ -19,11 +19,11 @@ struct Quartic {
 
     double value(double s) const { return (((c[4] * s + c[3]) * s + c[2]) * s + c[1]) * s + c[0]; }
     double slope(double s) const { return ((4 * c[4] * s + 3 * c[3]) * s + 2 * c[2]) * s + c[1]; }
-    // Bound of value's error, coefficients' and rounding.
+    // Bound of value's error: the coefficients', and Horner's 2n u with room.
     double value_error(double s) const {
         const double a = std::abs(s);
         double sum = 0, power = 1;
-        for (std::size_t k = 0; k < 5; ++k, power *= a) sum += (e[k] + 12 * u * std::abs(c[k])) * power;
+        for (std::size_t k = 0; k < 5; ++k, power *= a) sum += (e[k] + 9 * u * std::abs(c[k])) * power;
         return sum * (1 + 16 * u);
     }
 };
@@ -110,8 +110,8 @@ bool refine(const Quartic& q, const Piece& p, double& s, double& error) {
         s = next;
     }
     const double slope = std::abs(q.slope(s));
-    error = 2 * (std::abs(q.value(s)) + q.value_error(s)) / slope + 4 * u * std::abs(s);
-    for (int i = 0; i < 12 && std::isfinite(error); ++i, error *= 2) {
+    error = 1.25 * (std::abs(q.value(s)) + q.value_error(s)) / slope + 2 * u * std::abs(s);
+    for (int i = 0; i < 20 && std::isfinite(error); ++i, error *= 1.5) {
         const double a = s - error, b = s + error;
         if (a < p.from || b > p.from + p.width) return false;
         const double va = q.value(a), vb = q.value(b);
