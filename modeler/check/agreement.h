@@ -49,7 +49,7 @@ struct Disagreement {
     Ray ray;                    // the line, as `whittle spans --ray` reads it
     double t0 = 0, t1 = 0;      // the piece; equal for a crossing
     bool in_mesh = false;       // the piece is in the mesh and not in the exact solid
-    double distance = 0;        // how far from the nearest leaf's boundary, mm (kVolume: the difference, mm^3)
+    double distance = 0;        // from the nearest leaf's boundary, mm (kOddLine: t1; kVolume: the difference, mm^3)
     double bound = 0;           // what was allowed
     SourcePlace place;          // of the nearest leaf
 };

@@ -63,7 +63,7 @@ private:
             if (is_mesh) winding += crossings[m++].entering ? 1 : -1;
             else ++e;
         }
-        if (winding != 0) report({DisagreementKind::kOddLine, ray_, 0, t, winding > 0, kInfiniteDistance, c_.flat_bound, {}});
+        if (winding != 0) report({DisagreementKind::kOddLine, ray_, 0, t, winding > 0, t, c_.flat_bound, {}});
     }
 
     struct Inside { bool exact, mesh; };

@@ -103,6 +103,25 @@ TEST_CASE("the examples that come with openscad agree with their meshes, true cu
     }
 }
 
+TEST_CASE("openscad reads every example of ours, with the module file that is shipped, without a warning") {
+    if (!is_installed()) {
+        WARN("openscad is not installed: nothing to read with");
+        return;
+    }
+    for (const std::string& path : scenes_in(WHITTLE_SOURCE_DIR "/examples")) {
+        CAPTURE(path);
+        const std::string base = (std::filesystem::temp_directory_path() / ("strangers-" + std::to_string(getpid()))).string();
+        const std::string command = "OPENSCADPATH='" WHITTLE_SOURCE_DIR "/share' openscad -o '" + base + ".csg' '" + path + "' >'" + base + ".log' 2>&1";
+        CHECK(std::system(command.c_str()) == 0);
+        const std::string log = text_of(base + ".log");
+        CHECK(log.find("WARNING") == std::string::npos);
+        CHECK(log.find("ERROR") == std::string::npos);
+        CHECK(log.find("DEPRECATED") == std::string::npos);
+        std::filesystem::remove(base + ".csg");
+        std::filesystem::remove(base + ".log");
+    }
+}
+
 TEST_CASE("facets of the examples that come with openscad have the volume and area that openscad exports") {
     if (!is_installed()) {
         WARN("openscad is not installed: nothing to compare with");
