@@ -74,7 +74,6 @@ private:
     std::vector<FrameRay> frame_rays_;
     std::vector<Frame> moved_;  // frames of motion groups, at the ray's time
     std::vector<Exact> exact_;
-    std::size_t exact_count_ = 0;
 };
 
 }  // namespace whittle
