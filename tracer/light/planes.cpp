@@ -1,5 +1,7 @@
 #include "tracer/light/planes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace whittle {
@@ -56,8 +58,17 @@ Seen seen_at(const Stage& stage, double px, double py, Scratch& scratch) {
     return s;
 }
 
-bool differ(const Seen& a, const Seen& b) {
+// Is one of the two far in front of the other's tangent plane, seen in pixels?
+bool stepped(const Stage& stage, const Hit& a, const Hit& b) {
+    constexpr double kMostPixels = 6;
+    const double pixel = 2 * stage.lens.half_height / stage.options.height * (stage.lens.orthographic ? 1 : std::min(a.end.t, b.end.t));
+    const Vec3 across = b.point - a.point;
+    return std::min(std::abs(glm::dot(across, a.end.normal)), std::abs(glm::dot(across, b.end.normal))) > kMostPixels * pixel;
+}
+
+bool differ(const Stage& stage, const Seen& a, const Seen& b) {
     if (!a.met || !b.met) return a.met != b.met;
+    if (stepped(stage, a.hit, b.hit)) return true;
     return a.hit.end.surface != b.hit.end.surface && glm::dot(a.hit.end.normal, b.hit.end.normal) < kFlatCosine;
 }
 
@@ -65,8 +76,8 @@ bool differ(const Seen& a, const Seen& b) {
 
 bool on_edge(const Stage& stage, double px, double py, Scratch& scratch) {
     constexpr double kHalf = 0.5;
-    if (differ(seen_at(stage, px - kHalf, py - kHalf, scratch), seen_at(stage, px + kHalf, py + kHalf, scratch))) return true;
-    return differ(seen_at(stage, px - kHalf, py + kHalf, scratch), seen_at(stage, px + kHalf, py - kHalf, scratch));
+    if (differ(stage, seen_at(stage, px - kHalf, py - kHalf, scratch), seen_at(stage, px + kHalf, py + kHalf, scratch))) return true;
+    return differ(stage, seen_at(stage, px - kHalf, py + kHalf, scratch), seen_at(stage, px + kHalf, py - kHalf, scratch));
 }
 
 Ray picture_ray(const Stage& stage, double px, double py) {

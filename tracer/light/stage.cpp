@@ -113,7 +113,7 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     if (stage->integrator > Integrator::kPath)
         return fail(Fault::kCommand, fmt::format("--integrator {} is not there yet; there are preview, whitted, distributed, path", integrator_name(stage->integrator)));
     stage->filter = FilterSampler(options.filter);
-    stage->thickness_scale = half_diagonal(bounds) / 2;
+    stage->thickness_scale = half_diagonal(bounds) / 4;
     stage->program = std::move(program);
     return std::shared_ptr<const Stage>(std::move(stage));
 }
