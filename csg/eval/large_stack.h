@@ -6,8 +6,19 @@
 
 namespace whittle {
 
-// What parsing and evaluation count on; virtual until touched.
+// What parsing and evaluation count on; virtual until touched. The address sanitizer can clean only 64 MB of a stack when something is thrown.
+#if defined(__SANITIZE_ADDRESS__)
+#define WHITTLE_SMALL_STACK 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define WHITTLE_SMALL_STACK 1
+#endif
+#endif
+#if defined(WHITTLE_SMALL_STACK)
+inline constexpr std::size_t kLargeStackBytes = std::size_t{60} << 20;
+#else
 inline constexpr std::size_t kLargeStackBytes = std::size_t{1} << 30;
+#endif
 
 // Calls `work` on a thread with that stack and waits. Returns false when no such thread could be made; `work` has not run then.
 // Requires: `work` throws nothing.

@@ -12,6 +12,7 @@
 
 #include "csg/eval/code.h"
 #include "csg/eval/evaluate.h"
+#include "csg/eval/large_stack.h"
 #include "csg/eval/random.h"
 #include "csg/eval/value.h"
 #include "csg/lang/diagnostics.h"
@@ -139,8 +140,8 @@ private:
     };
     [[noreturn]] void fail_too_deep(const char* what, NameId name, SourcePlace place, std::uint32_t levels);
 
-    // Nested evaluations; each takes at most 2 KB of kLargeStackBytes, even in a build with sanitizers.
-    static constexpr std::uint32_t kMaxDepth = 400000;
+    // Nested evaluations: about 400,000. Each takes at most 2600 bytes of the stack, even in a build with sanitizers.
+    static constexpr std::uint32_t kMaxDepth = kLargeStackBytes / 2600;
     static constexpr std::uint32_t kMaxIterations = 1000000;  // of a C-style for, of a tail call
 
     static constexpr std::uint32_t kMaxModuleIterations = 10000;  // of a range in a for of modules
