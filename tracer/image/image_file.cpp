@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "csg/base/file.h"
 #include "tracer/image/module/image_module.h"
 #include "tracer/image/png.h"
 
@@ -153,7 +154,7 @@ Result<void> ImageFiles::write(const std::filesystem::path& path, const Image& i
     if (!format) return fail(Fault::kCommand, fmt::format("Unknown picture format: {}", path.string()));
     const Result<std::string> bytes = encode(image, *format);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
-    return write_whole_file(path, *bytes);
+    return write_file_atomically(path.string(), *bytes);
 }
 
 Result<Image> ImageFiles::read(const std::filesystem::path& path) {

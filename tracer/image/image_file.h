@@ -44,9 +44,6 @@ struct PictureOptions {
 // kCommand: the film has planes and the format has no place for them.
 Result<Image> image_of(const Film& film, ImageFormat format, const PictureOptions& options);
 
-// Writes `bytes` to a temporary name beside `path` and renames; straight into `path` where it is something else than a regular file.
-Result<void> write_whole_file(const std::filesystem::path& path, std::string_view bytes);
-
 // The module's places, likeliest first, for a program in `program_dir`.
 std::vector<std::filesystem::path> image_module_places(const std::filesystem::path& program_dir);
 // The folder of the running program.

@@ -1,12 +1,9 @@
 #include "tracer/light/direct.h"
 
-#include <limits>
 
 namespace whittle {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Less than this share of a light is darkness: half of the least step of eight bits.
 constexpr double kLeastShare = 1.0 / 512;

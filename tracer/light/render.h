@@ -52,7 +52,6 @@ struct RenderOptions {
     double noise = 0;                    // stop a tile when its estimated error (of display luminance) is below; 0: never
     double stop_after_s = 0;             // stop after the pass that passes this time; 0: never
     int threads = 0;                     // 0: all cores
-    std::optional<Vec3> background;      // sRGB 0..1; else the studio's gradient or the environment
     std::vector<std::string> disabled_passes;
 };
 

@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include "csg/base/file.h"
 #include "tracer/image/filter.h"
 #include "tracer/image/image_file.h"
 
@@ -232,15 +233,15 @@ TEST_CASE("a failure leaves the file that was there, and nothing beside it") {
     CHECK(written.error().fault == Fault::kWorld);
     CHECK(text_of(path) == "old");
     CHECK(folder.files() == 1);
-    REQUIRE(write_whole_file(path, "new"));
+    REQUIRE(write_file_atomically(path.string(), "new"));
     CHECK(text_of(path) == "new");
-    CHECK(!write_whole_file(folder.path / "missing" / "a.png", "x"));
+    CHECK(!write_file_atomically((folder.path / "missing" / "a.png").string(), "x"));
     CHECK(folder.files() == 1);
 }
 
 TEST_CASE("a full disk is an error") {
     if (!fs::exists("/dev/full")) return;
-    const Result<void> written = write_whole_file("/dev/full", "x");
+    const Result<void> written = write_file_atomically("/dev/full", "x");
     REQUIRE(!written);
     CHECK(written.error().fault == Fault::kWorld);
 }
