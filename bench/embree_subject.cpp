@@ -131,8 +131,8 @@ std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool 
     peer->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const auto of = [&](auto f) { return [peer, f](const Ray* rays, int count, Answer* answers) { f(*peer, rays, count, answers); }; };
     const std::string what = balls.empty() ? " (" + std::to_string(mesh.triangles.size()) + " triangles)" : " (balls)";
-    if (query == Query::kAny) return {{"embree 1" + what, of(any_1)}, {"embree 16" + what, of(any_16)}};
-    return {{"embree 1" + what, of(first_1)}, {"embree 16" + what, of(first_16)}};
+    if (query == Query::kAny) return {{"embree 1" + what, of(any_1), {}}, {"embree 16" + what, of(any_16), {}}};
+    return {{"embree 1" + what, of(first_1), {}}, {"embree 16" + what, of(first_16), {}}};
 }
 
 }  // namespace whittle::bench

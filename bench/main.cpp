@@ -22,6 +22,7 @@ struct Choice {
     std::vector<std::string> scenes = scene_names();
     std::vector<std::string> queries{"first", "any", "spans"};
     std::vector<std::string> rays{"camera", "incoherent"};
+    std::string only;
     RaceOptions race;
     std::string csv;
 };
@@ -32,8 +33,8 @@ std::string print(const std::string& scene, const std::string& query, const std:
     std::string lines;
     for (const Lap& lap : laps) {
         const double ratio = laps.front().median / lap.median;
-        fmt::print("{:3} {:6} {:11} {:28} {:8.3f} ({:.3f} - {:.3f}) Mray/s  x{:<7.2f} hits {:.4f}  sum {:.9g}\n", scene, query, rays, lap.name, lap.median, lap.lower,
-                   lap.upper, ratio, lap.hit_share, lap.checksum);
+        fmt::print("{:3} {:6} {:11} {:28} {:8.3f} ({:.3f} - {:.3f}) Mray/s  x{:<7.2f} hits {:.4f}  sum {:.9g}  {}\n", scene, query, rays, lap.name, lap.median, lap.lower,
+                   lap.upper, ratio, lap.hit_share, lap.checksum, lap.note);
         lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", scene, query, rays, lap.name, lap.median, lap.lower, lap.upper, ratio, lap.rays, lap.hit_share,
                              lap.checksum);
     }
@@ -54,7 +55,11 @@ int time_rays(const Choice& choice) {
                     fmt::print(stderr, "{}: {}\n", name, subjects.error().message);
                     return 1;
                 }
-                for (Subject& peer : embree_subjects(scene, query_of(query), coherent)) subjects->push_back(std::move(peer));
+                const bool peers = choice.only.find("whittle") == std::string::npos;
+                if (peers)
+                    for (Subject& peer : embree_subjects(scene, query_of(query), coherent)) subjects->push_back(std::move(peer));
+                std::erase_if(*subjects, [&](const Subject& s) { return s.name.find(choice.only) == std::string::npos; });
+                if (subjects->empty()) continue;
                 lines += print(name, query, kind, race(*subjects, rays, choice.race));
             }
         }
@@ -74,6 +79,7 @@ int main(int argc, char** argv) {
     rays->add_option("--scenes", choice.scenes, "of S1 ... S6")->delimiter(',')->check(CLI::IsMember(scene_names()));
     rays->add_option("--queries", choice.queries, "of first, any, spans")->delimiter(',')->check(CLI::IsMember({"first", "any", "spans"}));
     rays->add_option("--rays", choice.rays, "of camera, incoherent")->delimiter(',')->check(CLI::IsMember({"camera", "incoherent"}));
+    rays->add_option("--only", choice.only, "subjects whose name holds this");
     rays->add_option("--rounds", choice.race.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");

@@ -59,6 +59,8 @@ std::vector<Lap> race(const std::vector<Subject>& subjects, const std::vector<Ra
     std::vector<Answer> answers(kBatch);
     std::vector<std::size_t> strides;
     for (const Subject& s : subjects) strides.push_back(stride_for(s, rays, options.seconds_a_round, answers));
+    for (const Subject& s : subjects)
+        if (s.note) s.note();
     std::vector<std::vector<double>> speeds(subjects.size());
     std::vector<Sum> sums(subjects.size());
     for (int round = 0; round < options.rounds; ++round)
@@ -70,7 +72,7 @@ std::vector<Lap> race(const std::vector<Subject>& subjects, const std::vector<Ra
     for (std::size_t i = 0; i < subjects.size(); ++i) {
         std::sort(speeds[i].begin(), speeds[i].end());
         laps.push_back({subjects[i].name, quantile(speeds[i], 0.5), quantile(speeds[i], 0.25), quantile(speeds[i], 0.75),
-                        static_cast<double>(sums[i].hits) / static_cast<double>(sums[i].rays), sums[i].checksum, sums[i].rays});
+                        static_cast<double>(sums[i].hits) / static_cast<double>(sums[i].rays), sums[i].checksum, sums[i].rays, subjects[i].note ? subjects[i].note() : std::string()});
     }
     return laps;
 }

@@ -14,6 +14,7 @@ struct Lap {
     double hit_share = 0;
     double checksum = 0;       // over the t, normal and surface of every ray timed, summed inside the timing
     std::size_t rays = 0;      // a round; slow subjects get every n-th batch
+    std::string note;
 };
 
 struct RaceOptions {

@@ -24,6 +24,7 @@ struct Subject {
     std::string name;
     // Answers rays[0, count) into answers[0, count); count <= kBatch.
     std::function<void(const Ray* rays, int count, Answer* answers)> run;
+    std::function<std::string()> note;  // about the work done since the last call; may be empty
 };
 
 enum class Query { kFirst, kAny, kSpans };

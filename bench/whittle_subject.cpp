@@ -1,4 +1,8 @@
 // whittle_subject.cpp — the engine as a subject.
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "bench/ray_sets.h"
 #include "bench/subject.h"
 #include "tracer/engine/engine.h"
@@ -52,21 +56,32 @@ void spans(Engine& e, const Ray* rays, int count, Answer* answers) {
     }
 }
 
+// Since the last call.
+std::string work_done(Engine& e) {
+    const EngineCounters c = std::exchange(e.scratch.counters, {});
+    const double rays = static_cast<double>(c.spans_evaluated + c.packet_rays) / 100;
+    return fmt::format("{:.1f} cells a ray, {:.2f} % alone, {:.3f} % exact", static_cast<double>(c.primitive_tests) / rays / 100,
+                       static_cast<double>(c.spans_evaluated) / rays, static_cast<double>(c.escalated_exact) / rays);
+}
+
 }  // namespace
 
 Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool coherent) {
     auto program = compile(scene.solid);
     if (!program) return tl::unexpected<Error>(program.error());
-    const auto engine = std::make_shared<Engine>();
-    engine->program = *program;
-    const auto of = [&](auto f) { return [engine, f](const Ray* rays, int count, Answer* answers) { f(*engine, rays, count, answers); }; };
     std::vector<Subject> subjects;
-    engine->hits.resize(kBatch);
-    engine->found = std::make_unique<bool[]>(kBatch);
-    if (query == Query::kFirst && coherent) subjects.push_back({"whittle packets", of(first_packets)});
-    if (query == Query::kFirst) subjects.push_back({"whittle ray", of(first)});
-    if (query == Query::kAny) subjects.push_back({"whittle ray", of(any)});
-    if (query == Query::kSpans) subjects.push_back({"whittle ray", of(spans)});
+    const auto add = [&](const char* name, auto answer) {
+        const auto engine = std::make_shared<Engine>();
+        engine->program = *program;
+        engine->hits.resize(kBatch);
+        engine->found = std::make_unique<bool[]>(kBatch);
+        subjects.push_back({name, [engine, answer](const Ray* rays, int count, Answer* answers) { answer(*engine, rays, count, answers); },
+                            [engine] { return work_done(*engine); }});
+    };
+    if (query == Query::kFirst && coherent) add("whittle packets", first_packets);
+    if (query == Query::kFirst) add("whittle ray", first);
+    if (query == Query::kAny) add("whittle ray", any);
+    if (query == Query::kSpans) add("whittle ray", spans);
     return subjects;
 }
 

@@ -179,6 +179,8 @@ EngineCounters& EngineCounters::operator+=(const EngineCounters& o) {
     escalated_double_double += o.escalated_double_double;
     escalated_exact += o.escalated_exact;
     uncertified += o.uncertified;
+    packet_rays += o.packet_rays;
+    packet_deferred += o.packet_deferred;
     return *this;
 }
 

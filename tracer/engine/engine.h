@@ -27,6 +27,8 @@ struct EngineCounters {
     std::uint64_t escalated_double_double = 0;
     std::uint64_t escalated_exact = 0;
     std::uint64_t uncertified = 0;
+    std::uint64_t packet_rays = 0;      // answered in packets
+    std::uint64_t packet_deferred = 0;  // taken into packets, but answered alone
     EngineCounters& operator+=(const EngineCounters& o);
 };
 

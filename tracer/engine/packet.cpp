@@ -22,32 +22,28 @@
 
 namespace whittle {
 
+HWY_EXPORT(tile_extremes);
 HWY_EXPORT(tile_hits);
 
 namespace {
 
 // False: the rays do not go together.
-bool load_tile(const Ray* rays, int count, TileMemory& m, TileBounds& bounds) {
-    std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
-    for (std::size_t i = 0; i < 3; ++i) {
-        o_lo[i] = d_lo[i] = HUGE_VAL;
-        o_hi[i] = d_hi[i] = -HUGE_VAL;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-            const double o = rays[k].origin[static_cast<int>(i)], d = rays[k].direction[static_cast<int>(i)];
-            m.o[i][k] = o;
-            m.d[i][k] = d;
-            o_lo[i] = std::min(o_lo[i], o);
-            o_hi[i] = std::max(o_hi[i], o);
-            d_lo[i] = std::min(d_lo[i], d);
-            d_hi[i] = std::max(d_hi[i], d);
+bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileBounds& bounds) {
+    const std::size_t padded = (count + kMostLanes - 1) / kMostLanes * kMostLanes;
+    bool numbers = true;  // a minimum passes over what is no number
+    for (std::size_t k = 0; k < padded; ++k) {
+        const Ray& ray = rays[std::min(k, count - 1)];
+        for (std::size_t i = 0; i < 3; ++i) {
+            m.o[i][k] = ray.origin[static_cast<int>(i)];
+            m.d[i][k] = ray.direction[static_cast<int>(i)];
         }
-        const std::size_t padded = (static_cast<std::size_t>(count) + kMostLanes - 1) / kMostLanes * kMostLanes;
-        for (auto k = static_cast<std::size_t>(count); k < padded; ++k) {
-            m.o[i][k] = m.o[i][k - 1];
-            m.d[i][k] = m.d[i][k - 1];
-        }
+        const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
+        numbers = numbers && sum == sum;
     }
-    bounds = tile_bounds(o_lo, o_hi, d_lo, d_hi);
+    if (!numbers) return false;
+    TileExtremes extremes;
+    HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded, extremes);
+    bounds = tile_bounds(extremes);
     return bounds.coherent;
 }
 
@@ -68,17 +64,18 @@ void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
 void hits_of_tile(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
     TileMemory& m = scratch.impl->tile;
     TileBounds bounds;
-    const bool together = count > 1 && load_tile(rays, count, m, bounds);
+    const bool together = count > 1 && load_tile(rays, static_cast<std::size_t>(count), m, bounds);
     if (together) {
         scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m);
-        scratch.counters.spans_evaluated += static_cast<std::uint64_t>(count);
     }
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (!together || m.deferred[k] || rays[i].departure != nullptr) {
+            scratch.counters.packet_deferred += together ? 1 : 0;
             found[i] = first_hit(program, rays[i], t_max, scratch, hits[i]);
             continue;
         }
+        ++scratch.counters.packet_rays;
         found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
         if (found[i]) make_hit(m, k, rays[i], hits[i]);
     }

@@ -72,6 +72,12 @@ struct ClassLabel {
     std::uint32_t use = 0;
 };
 
+// A leaf that is one ball of the root frame, where it is met: beside its like, in the hierarchy's order.
+struct ItemBall {
+    double x = 0, y = 0, z = 0, r = 0;  // r is 0 where the leaf is anything else
+    ClassId id = 0;
+};
+
 class Program {
 public:
     std::vector<Frame> frames;
@@ -83,6 +89,7 @@ public:
     std::vector<ClassLabel> class_labels;  // by class
     std::vector<Group> groups;
     std::vector<Ref> refs;
+    std::vector<ItemBall> balls;  // one a ref
     std::vector<BoxNode> nodes;
     std::vector<PrismLeaf> prisms;
     std::vector<MeshLeaf> meshes;

@@ -18,7 +18,8 @@ std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1
 
 }  // namespace
 
-TileBounds tile_bounds(const std::array<double, 3>& o_lo, const std::array<double, 3>& o_hi, const std::array<double, 3>& d_lo, const std::array<double, 3>& d_hi) {
+TileBounds tile_bounds(const TileExtremes& extremes) {
+    const auto& [o_lo, o_hi, d_lo, d_hi] = extremes;
     TileBounds b;
     b.o_lo = o_lo;
     b.o_hi = o_hi;
@@ -203,6 +204,15 @@ void describe_for_packets(Program& program) {
             label = {ClassLabel::Kind::kUse, program.leaves[u.leaf].use};
         }
         program.class_labels.push_back(label);
+    }
+    for (const Ref ref : program.refs) {
+        ItemBall ball;
+        if (ref.is_leaf() && program.leaves[ref.index()].kind == FormulaKind::kCell && program.leaves[ref.index()].count == 1 && holds(program, ref)) {
+            const HalfSpace h = program.half_spaces[program.leaves[ref.index()].first];
+            const Support& s = program.classes[h.id()];
+            if (s.kind == SupportKind::kBall && s.frame == 0 && !h.inverted()) ball = {s.p[0], s.p[1], s.p[2], s.p[3], h.id()};
+        }
+        program.balls.push_back(ball);
     }
     // Children stand before their groups.
     for (Group& g : program.groups) {

@@ -26,7 +26,12 @@ struct TileBounds {
     bool meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const;
 };
 
-TileBounds tile_bounds(const std::array<double, 3>& o_lo, const std::array<double, 3>& o_hi, const std::array<double, 3>& d_lo, const std::array<double, 3>& d_hi);
+// Of the coordinates of a tile's origins and directions.
+struct TileExtremes {
+    std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
+};
+
+TileBounds tile_bounds(const TileExtremes& extremes);
 
 // A node of the folded formula: `outside` wherever t is not in [near, far].
 struct TileNode {
