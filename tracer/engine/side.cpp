@@ -24,6 +24,7 @@ std::size_t next(int axis, int by) { return static_cast<std::size_t>((axis + by)
 int side_of_point(RayContext& context, FrameId frame, int axis, Vec2 point) {
     const FrameRay& r = context.frame_ray(frame);
     const std::size_t i = next(axis, 1), j = next(axis, 2);
+    if (r.d[i] == 0 && r.d[j] == 0 && r.ed[i] == 0 && r.ed[j] == 0) return 0;
     const double x = point.x - r.o[i], y = point.y - r.o[j];
     const double a = r.d[i] * y, b = r.d[j] * x, s = a - b;
     const double ex = u * std::abs(x) + r.eo[i], ey = u * std::abs(y) + r.eo[j];
@@ -69,12 +70,22 @@ int side_of_edge(RayContext& context, FrameId frame, const Vec3& a, const Vec3& 
 }
 
 int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
-    const auto line = nudged_line(context, frame);
+    const FrameRay& r = context.frame_ray(frame);
     const std::size_t i = next(axis, 1), j = next(axis, 2);
+    const double x = b.x - a.x, y = b.y - a.y, ou = r.o[i] - a.x, ov = r.o[j] - a.y;
+    const double left = x * ov, right = y * ou, s = left - right;
+    const double bound = (std::abs(x) * r.eo[j] + std::abs(y) * r.eo[i] + 5 * u * (std::abs(left) + std::abs(right))) * (1 + 16 * u);
+    if (s > bound) return 1;
+    if (s < -bound) return -1;
+    const auto line = nudged_line(context, frame);
     return ((Nudged(b.x) - Nudged(a.x)) * (line.o[j] - line.w * Nudged(a.y)) - (Nudged(b.y) - Nudged(a.y)) * (line.o[i] - line.w * Nudged(a.x))).sign();
 }
 
 int height_against(RayContext& context, FrameId frame, int axis, double y) {
+    const FrameRay& r = context.frame_ray(frame);
+    const double h = r.o[next(axis, 2)] - y, bound = (r.eo[next(axis, 2)] + u * std::abs(h)) * (1 + 16 * u);
+    if (h > bound) return 1;
+    if (h < -bound) return -1;
     const auto line = nudged_line(context, frame);
     return (line.o[next(axis, 2)] - line.w * Nudged(y)).sign();
 }
