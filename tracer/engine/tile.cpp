@@ -21,6 +21,7 @@ std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1
 TileBounds tile_bounds(const TileExtremes& extremes) {
     const auto& [o_lo, o_hi, d_lo, d_hi] = extremes;
     TileBounds b;
+    b.extremes = extremes;
     b.o_lo = o_lo;
     b.o_hi = o_hi;
     double best = 0;
@@ -71,6 +72,65 @@ bool TileBounds::meets(const std::array<double, 3>& lo, const std::array<double,
     return lower(w0) <= upper(w1) && w1 >= 0;
 }
 
+namespace {
+
+// The extremes of the tile in a frame: centre and half lengths of their boxes taken through the inverse.
+TileExtremes in_frame(const TileExtremes& e, const Frame& frame) {
+    TileExtremes r;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double o = 0, ho = 0, d = 0, hd = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double k = frame.inverse[3 * i + j], size = std::abs(k);
+            const double from = 0.5 * (e.o_lo[j] + e.o_hi[j]) - frame.placement.offset(static_cast<int>(j)), way = 0.5 * (e.d_lo[j] + e.d_hi[j]);
+            o += k * from;
+            d += k * way;
+            ho += size * (0.5 * (e.o_hi[j] - e.o_lo[j]) + kRoom * (std::abs(from) + std::abs(frame.placement.offset(static_cast<int>(j)))));
+            hd += size * (0.5 * (e.d_hi[j] - e.d_lo[j]) + kRoom * std::abs(way));
+        }
+        r.o_lo[i] = o - ho, r.o_hi[i] = o + ho;
+        r.d_lo[i] = d - hd, r.d_hi[i] = d + hd;
+    }
+    return r;
+}
+
+// The box of a cell in the frame of its first half-space; infinite where nothing in that frame bounds it.
+void local_box(const Program& program, const Leaf& leaf, FrameId frame, std::array<double, 3>& lo, std::array<double, 3>& hi) {
+    lo.fill(-HUGE_VAL);
+    hi.fill(HUGE_VAL);
+    const auto within = [&](std::size_t i, double centre, double r) {
+        lo[i] = std::max(lo[i], lower(centre - r) - kRoom * r);
+        hi[i] = std::min(hi[i], upper(centre + r) + kRoom * r);
+    };
+    for (std::uint32_t k = 0; k < leaf.count; ++k) {
+        const HalfSpace h = program.half_spaces[leaf.first + k];
+        const Support& s = program.classes[h.id()];
+        if (s.frame != frame) continue;
+        if (s.kind == SupportKind::kAxisPlane && h.inverted()) lo[s.axis] = std::max(lo[s.axis], s.p[0]);
+        if (h.inverted()) continue;
+        if (s.kind == SupportKind::kAxisPlane) hi[s.axis] = std::min(hi[s.axis], s.p[0]);
+        if (s.kind == SupportKind::kCylinder) within((s.axis + 1u) % 3, s.p[0], s.p[2]), within((s.axis + 2u) % 3, s.p[1], s.p[2]);
+    }
+}
+
+// A turned cell's own box is tighter than its box in the root frame.
+bool meets_turned(const Program& program, const TileBounds& bounds, const Leaf& leaf, double& near, double& far) {
+    if (leaf.kind != FormulaKind::kCell || leaf.count == 0) return true;
+    const FrameId id = program.classes[program.half_spaces[leaf.first].id()].frame;
+    const Frame& frame = program.frames[id];
+    if (id == 0 || frame.motion != 0) return true;
+    std::array<double, 3> lo, hi;
+    local_box(program, leaf, id, lo, hi);
+    const TileBounds local = tile_bounds(in_frame(bounds.extremes, frame));
+    double local_near = 0, local_far = 0;
+    if (!local.coherent) return true;
+    if (!local.meets(lo, hi, local_near, local_far)) return false;
+    near = std::max(near, local_near);
+    far = std::min(far, local_far);
+    return true;
+}
+
+}  // namespace
+
 void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref) {
     nodes.clear();
     children.clear();
@@ -88,7 +148,8 @@ std::uint32_t TileTree::add_leaf(const Program& program, const TileBounds& bound
     const Leaf& leaf = program.leaves[index];
     const FloatBox& box = program.leaf_boxes[index];
     TileNode n;
-    if (!bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far)) return leaf.negated ? kTrue : kFalse;
+    if (!bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far) || !meets_turned(program, bounds, leaf, n.near, n.far))
+        return leaf.negated ? kTrue : kFalse;
     n.negated = n.outside = leaf.negated;
     n.holds = !leaf.negated;
     n.leaf = index;

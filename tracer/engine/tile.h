@@ -13,6 +13,11 @@ namespace whittle {
 
 inline constexpr int kTileRays = 256;
 
+// Of the coordinates of a tile's origins and directions.
+struct TileExtremes {
+    std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
+};
+
 // Bounds of a tile's rays. Built from extremes of origins and directions; every result errs outward.
 struct TileBounds {
     bool coherent = false;  // else nothing below holds
@@ -22,13 +27,10 @@ struct TileBounds {
     std::array<double, 3> n_lo, n_hi, inverse_lo, inverse_hi;  // of d_i / |d_axis|, i != axis; never 0
     double slowest = 0, fastest = 0;                           // of |d_axis|
 
+    TileExtremes extremes;
+
     // False: no ray of the tile meets the box at t >= 0. [near, far] holds t wherever one does.
     bool meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const;
-};
-
-// Of the coordinates of a tile's origins and directions.
-struct TileExtremes {
-    std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
 };
 
 TileBounds tile_bounds(const TileExtremes& extremes);
