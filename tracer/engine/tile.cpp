@@ -219,7 +219,10 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
     n.first = static_cast<std::uint32_t>(children.size());
     n.count = static_cast<std::uint32_t>(pending_.size() - first);
     for (std::size_t i = first; i < pending_.size(); ++i) n.holds = n.holds || nodes[pending_[i]].holds;
-    children.insert(children.end(), begin, pending_.end());
+    for (std::size_t i = first; i < pending_.size(); ++i) {
+        const TileNode& child = nodes[pending_[i]];
+        children.push_back({child.near, child.far, pending_[i], child.outside, child.holds});
+    }
     pending_.resize(first);
     nodes.push_back(n);
     return static_cast<std::uint32_t>(nodes.size() - 1);

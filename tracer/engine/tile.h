@@ -48,11 +48,18 @@ struct TileNode {
     double near = 0, far = 0;
 };
 
+// A child as its parent sees it: side by side, so that those out of range cost little.
+struct TileChild {
+    double near = 0, far = 0;
+    std::uint32_t node = 0;
+    bool outside = false, holds = false;
+};
+
 // The folded formula. Children that are not neutral outside stand first; those that are, by rising `near`.
 struct TileTree {
     static constexpr std::uint32_t kFalse = 0xFFFFFFFF, kTrue = 0xFFFFFFFE;
     std::vector<TileNode> nodes;
-    std::vector<std::uint32_t> children;
+    std::vector<TileChild> children;
     std::uint32_t root = kFalse;
     std::uint32_t leaf_count = 0;
     bool holders_lost = false;  // something that may hold a place of its true part was folded away
