@@ -5,6 +5,7 @@
 #include <chrono>
 #include <mutex>
 
+#include <fmt/format.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -158,11 +159,24 @@ private:
         Loaded& slot = loaded_[leaf];
         const std::lock_guard lock(slot.mutex);
         if (!slot.mesh) {
-            auto mesh = (*kernel)->load(plan_.node(leaf).leaf);
+            const PlanNode& node = plan_.node(leaf);
+            if (node.may_cross_itself)
+                if (const auto sound = check_sound(**kernel, node.leaf); !sound) return tl::unexpected(sound.error());
+            auto mesh = (*kernel)->load(node.leaf);
             if (!mesh) return mesh;
             slot.mesh = std::move(*mesh);
         }
         return slot.mesh;
+    }
+
+    // An operand that crosses itself makes booleans wrong without a word, or worse.
+    static Result<void> check_sound(const ExactKernel& kernel, const GridMesh& mesh) {
+        std::vector<Vec3> points;
+        for (const GridPoint& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
+        const auto pairs = kernel.self_intersections(points, mesh.triangles);
+        if (!pairs) return tl::unexpected(pairs.error());
+        if (*pairs > 0) return fail(Fault::kScene, fmt::format("a solid that is to be combined crosses or touches itself: {} pairs of facets", *pairs));
+        return {};
     }
 
     void stop(Error error) {

@@ -77,8 +77,6 @@ public:
     virtual Result<ExactRef> load(const GridMesh& mesh) const = 0;
     // a op b, each operand the disjoint union of its parts. kInterrupted when the watch says so; kWorld for what CGAL throws.
     virtual Result<ExactRef> combine(SetOp op, std::span<const PlacedExact> a, std::span<const PlacedExact> b, KernelWatch& watch) const = 0;
-    // p -> linear*p + offset_mm*grid_per_mm, exactly.
-    virtual Result<ExactRef> transformed(const ExactMesh& mesh, const Placement& placement, double grid_per_mm) const = 0;
     virtual RoundedMesh rounded(const ExactMesh& mesh) const = 0;
 
     // Queries on doubles (queries_cgal.cpp).

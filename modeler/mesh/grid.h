@@ -37,6 +37,7 @@ struct SnappedLeaf {
     GridPoint offset{};
     GridPoint size{};
     FacetTag tag_count = 0;
+    bool may_cross_itself = false;  // the shape does not promise that the mesh does not: to be looked at before a boolean
 };
 
 // Where points were before they went onto the grid, by grid point; the first leaf that has one says.

@@ -137,24 +137,28 @@ private:
         if (!tessellation) return tl::unexpected(placed_error(tessellation.error(), path.place));
         result_.tolerance_mm = std::max(result_.tolerance_mm, (*tessellation)->error);
         const Tessellation& made = **tessellation;
+        const auto& shape = std::get<Shape>(solid_.node(node));
+        const bool crosses = std::holds_alternative<shape::Polyhedron>(shape) || std::holds_alternative<shape::Extrusion>(shape) ||
+                             std::holds_alternative<shape::Revolution>(shape) || std::holds_alternative<shape::Quadric>(shape);
         std::vector<Instance> pieces;
         for (std::size_t i = 0; i <= made.more.size(); ++i) {
-            auto piece = piece_of(i == 0 ? made.mesh : made.more[i - 1], path, number);
+            auto piece = piece_of(i == 0 ? made.mesh : made.more[i - 1], path, number, crosses);
             if (!piece) return piece;
             if (*piece) pieces.push_back(std::move(**piece));
         }
         ++result_.stats.leaves;
         if (!made.less) return plan_.unite(std::move(pieces));
-        auto around = piece_of(*made.less, path, number);
+        auto around = piece_of(*made.less, path, number, false);
         if (!around || !*around) return around;
         return plan_.subtract(std::move(**around), std::move(pieces));
     }
 
-    Result<std::optional<Instance>> piece_of(const LeafMesh& mesh, const Path& path, std::uint32_t number) {
+    Result<std::optional<Instance>> piece_of(const LeafMesh& mesh, const Path& path, std::uint32_t number, bool may_cross_itself) {
         SnappedLeaf snapped = snap_leaf(mesh, path.placement, grid_, known_);
         if (snapped.mesh.triangles.empty()) return std::optional<Instance>{};
         if (const std::uint64_t open = count_open_edges(snapped.mesh.triangles); open > 0)
             return fail(Fault::kScene, placed_text(fmt::format("a solid is not closed: {} edges lack a neighbour", open), path.place));
+        snapped.may_cross_itself = may_cross_itself;
         return std::optional<Instance>{plan_.leaf(std::move(snapped), number)};
     }
 

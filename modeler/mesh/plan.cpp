@@ -103,6 +103,7 @@ Instance Plan::leaf(SnappedLeaf&& leaf, std::uint32_t use) {
     node.leaf = std::move(leaf.mesh);
     node.box = {{0, 0, 0}, leaf.size};
     node.tag_count = leaf.tag_count;
+    node.may_cross_itself = leaf.may_cross_itself;
     const std::uint64_t hash = hash_of(node.leaf);
     return {{interned(std::move(node), hash), leaf.offset}, {use}};
 }

@@ -26,6 +26,7 @@ struct PlanNode {
     std::optional<SetOp> op;
     PlanRef a, b;
     GridMesh leaf;
+    bool may_cross_itself = false;
     GridBox box;              // around the result, from the node's own place
     FacetTag tag_count = 0;   // of a leaf, or of both operands: b's tags follow a's
     std::uint32_t users = 0;  // combinations that name this node

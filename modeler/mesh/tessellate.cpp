@@ -92,10 +92,11 @@ Tessellation tessellate_torus(const shape::Torus& s, const CurveRule& rule) {
     const int around = rule.turn_within(outer, rule.chord(outer) / 2), along = rule.turn_within(s.minor, rule.chord(s.minor) / 2);
     const auto n = static_cast<std::uint32_t>(around);
     const bool spindle = s.minor > s.major;
+    const bool horn = s.minor == s.major;  // touches itself on the axis; half a step aside it is a surface again, open there by less than the tolerance
     const double half_deg = spindle ? std::acos(-s.major / s.minor) / kRadiansPerDegree : 180;
     const int steps = spindle ? static_cast<int>(std::ceil(along * half_deg / 180)) : along;
     for (int i = 0; i < steps + (spindle ? 1 : 0); ++i) {
-        const double a = -half_deg + 2 * half_deg * i / steps;
+        const double a = -half_deg + 2 * half_deg * (i + (horn ? 0.5 : 0.0)) / steps;
         const bool pole = spindle && (i == 0 || i == steps);
         const double z = pole ? std::sqrt((s.minor - s.major) * (s.minor + s.major)) * (i == 0 ? -1 : 1) : s.minor * sind(a);
         add_circle(out.mesh, pole ? 0 : s.major + s.minor * cosd(a), z, around);

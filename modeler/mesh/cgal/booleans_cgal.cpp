@@ -9,7 +9,6 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
@@ -17,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -56,10 +56,18 @@ struct Soup {
     std::vector<FacetTag> tags;
 };
 
-// Either a 2-manifold surface, or a Nef polyhedron with its boundary as triangles.
+// How a result was made.
+struct Recipe {
+    SetOp op;
+    std::vector<PlacedExact> a, b;
+};
+
+// Either a 2-manifold surface, or a Nef polyhedron with its boundary as triangles. A surface that touches itself in a point (two vertices in one
+// place) keeps its recipe: corefinement through that point is beyond CGAL, so it may have to be made again as a Nef polyhedron.
 class Exact final : public ExactMesh {
 public:
     Surface surface;
+    std::optional<Recipe> pinched;
     std::optional<Nef> nef;
     Soup soup;
 };
@@ -240,6 +248,39 @@ bool all_surfaces(std::span<const PlacedExact> parts) {
     return true;
 }
 
+// The places where two vertices of the surface lie.
+std::vector<Point> pinches_of(const Surface& surface) {
+    std::vector<const Point*> points;
+    points.reserve(surface.number_of_vertices());
+    for (Vertex v : surface.vertices()) points.push_back(&surface.point(v));
+    std::sort(points.begin(), points.end(), [](const Point* p, const Point* q) { return *p < *q; });
+    std::vector<Point> pinches;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (*points[i] == *points[i - 1]) pinches.push_back(*points[i]);
+    return pinches;
+}
+
+bool passes_through(const Surface& surface, const Point& p) {
+    const auto at = p.bbox();
+    for (Face f : surface.faces()) {
+        const Halfedge h = surface.halfedge(f);
+        const Point &a = surface.point(surface.source(h)), &b = surface.point(surface.target(h)), &c = surface.point(surface.target(surface.next(h)));
+        if (CGAL::do_overlap(at, a.bbox() + b.bbox() + c.bbox()) && Kernel::Triangle_3(a, b, c).has_on(p)) return true;
+    }
+    return false;
+}
+
+bool any_pinched(std::span<const PlacedExact> parts) {
+    return std::any_of(parts.begin(), parts.end(), [](const PlacedExact& p) { return implementation(*p.mesh).pinched.has_value(); });
+}
+
+// Does `other` go through a place where the operand touches itself?
+bool meets_pinch(std::span<const PlacedExact> parts, const Surface& operand, const Surface& other) {
+    if (!any_pinched(parts)) return false;
+    const std::vector<Point> pinches = pinches_of(operand);
+    return std::any_of(pinches.begin(), pinches.end(), [&](const Point& p) { return passes_through(other, p); });
+}
+
 bool corefined(SetOp op, Surface& a, Surface& b, const KernelWatch& watch) {
     TagVisitor visitor;
     visitor.first = &a;
@@ -296,20 +337,35 @@ void add_tags(TagFinder& finder, const Surface& surface) {
     }
 }
 
+Nef combined_nef(SetOp op, const Nef& a, const Nef& b) { return (op == SetOp::kUnion ? a + b : op == SetOp::kIntersection ? a * b : a - b).regularization(); }
+
+Nef nef_of(std::span<const PlacedExact> parts, TagFinder& finder);
+
+// A pinched surface once more, from what it was made of. Its triangles have the tags already.
+Nef made_again(const Recipe& recipe) {
+    TagFinder unused;
+    return combined_nef(recipe.op, nef_of(recipe.a, unused), nef_of(recipe.b, unused));
+}
+
 Nef nef_of(std::span<const PlacedExact> parts, TagFinder& finder) {
     Nef whole(Nef::EMPTY);
     Surface plain;
     for (const PlacedExact& part : parts) {
         const Exact& e = implementation(*part.mesh);
-        if (!e.nef) {
+        if (!e.nef && !e.pinched) {
             append(plain, part);
             continue;
         }
         const Kernel::Vector_3 move(Number(static_cast<double>(part.offset[0])), Number(static_cast<double>(part.offset[1])),
                                     Number(static_cast<double>(part.offset[2])));
-        Nef moved = *e.nef;
+        Nef moved = e.nef ? *e.nef : made_again(*e.pinched);
         moved.transform(Nef::Aff_transformation_3(CGAL::TRANSLATION, move));
         whole += moved;
+        if (e.pinched) {
+            Surface placed;
+            append(placed, part);
+            add_tags(finder, placed);
+        }
         for (std::size_t i = 0; i < e.soup.polygons.size(); ++i) {
             const auto& t = e.soup.polygons[i];
             finder.add(e.soup.points[t[0]] + move, e.soup.points[t[1]] + move, e.soup.points[t[2]] + move, e.soup.tags[i] + part.tag_base);
@@ -322,14 +378,36 @@ Nef nef_of(std::span<const PlacedExact> parts, TagFinder& finder) {
     return whole;
 }
 
+// Points and triangles in an order of their own, not in that of the Nef polyhedron's memory.
+void put_in_order(Soup& soup) {
+    std::vector<std::size_t> order(soup.points.size()), place(soup.points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return soup.points[i] < soup.points[j]; });
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        place[order[i]] = i;
+        points.push_back(soup.points[order[i]]);
+    }
+    soup.points.swap(points);
+    for (auto& polygon : soup.polygons) {
+        for (std::size_t& v : polygon) v = place[v];
+        std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+    }
+    std::sort(soup.polygons.begin(), soup.polygons.end());
+}
+
 std::shared_ptr<Exact> by_nef(SetOp op, std::span<const PlacedExact> a, std::span<const PlacedExact> b) {
     TagFinder finder;
     const Nef left = nef_of(a, finder), right = nef_of(b, finder);
-    const Nef whole = (op == SetOp::kUnion ? left + right : op == SetOp::kIntersection ? left * right : left - right).regularization();
+    const Nef whole = combined_nef(op, left, right);
     auto result = std::make_shared<Exact>();
     Soup& soup = result->soup;
-    CGAL::convert_nef_polyhedron_to_polygon_soup(whole, soup.points, soup.polygons, true);
+    {
+        const OrderedBlocks::Scope in_order;
+        CGAL::convert_nef_polyhedron_to_polygon_soup(whole, soup.points, soup.polygons, true);
+    }
     settle(soup.points);
+    put_in_order(soup);
     for (const auto& t : soup.polygons) soup.tags.push_back(finder.find(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]));
     result->triangles = soup.polygons.size();
     result->box = box_of_points(soup.points);
@@ -339,7 +417,7 @@ std::shared_ptr<Exact> by_nef(SetOp op, std::span<const PlacedExact> a, std::spa
         Tags tags = tags_of(surface);
         std::size_t i = 0;
         for (Face f : surface.faces()) tags[f] = soup.tags[i++];
-        return finished(std::move(surface));
+        if (pinches_of(surface).empty()) return finished(std::move(surface));
     }
     result->nef = whole;
     return result;
@@ -362,6 +440,20 @@ auto guarded(Work&& work) -> decltype(work()) {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Origin {
+    SetOp op;
+    std::span<const PlacedExact> a, b;
+};
+
+std::shared_ptr<Exact> decimated(Surface&& surface, const Origin& from, KernelWatch& watch) {
+    const auto start = std::chrono::steady_clock::now();
+    if (watch.decimate) watch.decimated += Decimator(surface).run();
+    watch.seconds_decimate += seconds_since(start);
+    auto result = finished(std::move(surface));
+    if (!pinches_of(result->surface).empty()) result->pinched = Recipe{from.op, {from.a.begin(), from.a.end()}, {from.b.begin(), from.b.end()}};
+    return result;
 }
 
 }  // namespace
@@ -390,41 +482,11 @@ Result<ExactRef> CgalBooleans::combine(SetOp op, std::span<const PlacedExact> a,
         if (watch.control && watch.control->cancelled()) throw Interrupted{};
         if (all_surfaces(a) && all_surfaces(b)) {
             std::array<Surface, 2> operands{gathered(a), gathered(b)};  // an array: corefinement orders meshes by address
-            Surface& left = operands[0];
-            if (corefined(op, left, operands[1], watch)) {
-                const auto start = std::chrono::steady_clock::now();
-                if (watch.decimate) watch.decimated += Decimator(left).run();
-                watch.seconds_decimate += seconds_since(start);
-                return ExactRef(finished(std::move(left)));
-            }
+            const bool safe = !meets_pinch(a, operands[0], operands[1]) && !meets_pinch(b, operands[1], operands[0]);
+            if (safe && corefined(op, operands[0], operands[1], watch)) return ExactRef(decimated(std::move(operands[0]), {op, a, b}, watch));
         }
         ++watch.fallbacks;
         return ExactRef(by_nef(op, a, b));
-    });
-}
-
-Result<ExactRef> CgalBooleans::transformed(const ExactMesh& mesh, const Placement& placement, double grid_per_mm) const {
-    return guarded([&]() -> Result<ExactRef> {
-        const Exact& e = implementation(mesh);
-        const Number unit(grid_per_mm);
-        const auto m = [&](int r, int c) { return Number(placement.linear(r, c)); };
-        const auto o = [&](int r) { return Number(placement.offset(r)) * unit; };
-        const Kernel::Aff_transformation_3 map(m(0, 0), m(0, 1), m(0, 2), o(0), m(1, 0), m(1, 1), m(1, 2), o(1), m(2, 0), m(2, 1), m(2, 2), o(2));
-        const bool flips = map.is_odd();
-        if (!e.nef) {
-            Surface surface = e.surface;
-            for (Vertex v : surface.vertices()) surface.point(v) = map(surface.point(v));
-            if (flips) pmp::reverse_face_orientations(surface);
-            return ExactRef(finished(std::move(surface)));
-        }
-        auto result = std::make_shared<Exact>(e);
-        result->nef->transform(map);
-        for (Point& p : result->soup.points) p = map(p);
-        settle(result->soup.points);
-        if (flips)
-            for (auto& t : result->soup.polygons) std::swap(t[1], t[2]);
-        result->box = box_of_points(result->soup.points);
-        return ExactRef(result);
     });
 }
 

@@ -9,7 +9,6 @@ class CgalBooleans : public ExactKernel {
 public:
     Result<ExactRef> load(const GridMesh& mesh) const final;
     Result<ExactRef> combine(SetOp op, std::span<const PlacedExact> a, std::span<const PlacedExact> b, KernelWatch& watch) const final;
-    Result<ExactRef> transformed(const ExactMesh& mesh, const Placement& placement, double grid_per_mm) const final;
     RoundedMesh rounded(const ExactMesh& mesh) const final;
 };
 

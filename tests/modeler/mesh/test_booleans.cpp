@@ -59,6 +59,21 @@ TEST_CASE("cubes that share an edge or a corner") {
     CHECK(corner.report.genus == 0);
 }
 
+TEST_CASE("a union through the corner where two solids touch") {
+    SolidBuilder b;
+    const NodeId c = cube(b, 10), small = cube(b, 2);
+    const NodeId pair = b.combine(SetOp::kUnion, {at(c), at(c, {10, 10, 10})});
+    Use turned = at(pair);
+    turned.placement = {{0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}};
+    const MeshResult r = meshed(b, b.combine(SetOp::kDifference, {turned, at(small, {-11, 9, 9})}));
+    CHECK_THAT(volume(r), WithinRel(2000.0 - 2, 1e-12));
+    SolidBuilder d;
+    const NodeId e = cube(d, 10);
+    const NodeId touching = d.combine(SetOp::kDifference, {at(d.shape(shape::Box{Vec3(0), Vec3(20)})), at(e, {0, 10, 0}), at(e, {10, 0, 0}), at(e, {0, 0, 10}), at(e, {10, 10, 10})});
+    const MeshResult joined = meshed(d, d.combine(SetOp::kUnion, {at(touching), at(cube(d, 2), {9, 9, 9})}));
+    CHECK_THAT(volume(joined), WithinRel(4000.0 + 4, 1e-12));
+}
+
 TEST_CASE("what touches along an edge can be cut further") {
     SolidBuilder b;
     const NodeId c = cube(b, 10), pair = b.combine(SetOp::kUnion, {at(c), at(c, {10, 10, 0})});

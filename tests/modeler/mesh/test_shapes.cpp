@@ -81,6 +81,9 @@ TEST_CASE("a torus has a hole and a spindle has none") {
     CHECK(ring.report.genus == 1);
     CHECK_THAT(volume(ring), WithinRel(2 * kPi * kPi * 10 * 9, 3e-3));
     CHECK(deepest(ring.mesh, [](const Vec3& p) { return std::hypot(std::hypot(p.x, p.y) - 10, p.z) - 3; }) <= ring.tolerance_mm);
+    const MeshResult horn = of(shape::Torus{4, 4});
+    CHECK(horn.report.components == 1);
+    CHECK_THAT(volume(horn), WithinRel(2 * kPi * kPi * 64, 4e-3));
     const MeshResult spindle = of(shape::Torus{3, 10});
     CHECK(spindle.report.genus == 0);
     // Pappus for the part of the circle on this side of the axis.
