@@ -352,6 +352,7 @@ FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
             for (std::size_t i = 2; i < f.size(); ++i) triangles->triangles.push_back({f[0], f[i - 1], f[i]});
         list = std::move(triangles);
     }
+    if (list->triangles.empty()) return constant(site.negated);
     Placer p(out_, site.chain, site.motion, solid_.bounds(id), Absorb::kNothing);
     MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
     for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));

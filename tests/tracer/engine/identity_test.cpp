@@ -138,6 +138,22 @@ TEST_CASE("a cutter flush with a face leaves it open, in every frame") {
     }
 }
 
+TEST_CASE("a shape without facets is nothing, and cuts nothing away") {
+    SolidBuilder b;
+    const NodeId small = b.shape(shape::Disc{1}), large = b.shape(shape::Disc{2});
+    const NodeId nothing = b.combine(SetOp::kDifference, {use(small), {large, 0, 0, Placement::translation({0.5, 0, 0})}});
+    const NodeId cone = b.shape(shape::Extrusion{nothing, 0, 1, 0, Vec2(0.5), 0});
+    const NodeId block = b.shape(shape::Box{Vec3(-1), Vec3(1)});
+    const auto program = compiled(b.finish(use(b.combine(SetOp::kDifference, {use(block), use(cone)}))));
+    Scratch s;
+    Spans spans;
+    Ray ray;
+    ray.origin = {0.1, 0.2, -3};
+    all_spans(*program, ray, s, spans);
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].out->t == 4);
+}
+
 TEST_CASE("instances that touch along a face are whole, also when each has a frame of its own") {
     SolidBuilder b;
     const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)});
