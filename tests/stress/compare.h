@@ -15,6 +15,7 @@ struct Subject {
     std::shared_ptr<const Program> program;
     std::unique_ptr<reference::Evaluator> exact;   // of the engine's own formula
     std::vector<std::uint32_t> use_of_leaf, support_of_class;  // of that formula (lowered.h)
+    bool snap = true;
     std::string failure;                           // why there is none
 };
 

@@ -1,0 +1,17 @@
+// seed.h — a fresh seed for each run of a random test, said aloud so that the run can be repeated.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+
+namespace whittle::support {
+
+// WHITTLE_SEED if set, else from the system's entropy.
+inline std::uint64_t fresh_seed() {
+    if (const char* said = std::getenv("WHITTLE_SEED")) return std::strtoull(said, nullptr, 10);
+    std::random_device entropy;
+    return (static_cast<std::uint64_t>(entropy()) << 32) | entropy();
+}
+
+}  // namespace whittle::support
