@@ -50,7 +50,7 @@ int time_rays(const Choice& choice) {
             const bool coherent = kind == "camera";
             const std::vector<Ray> rays = coherent ? camera_rays(scene, 640, 480) : incoherent_rays(scene, 400 * kBatch);
             for (const std::string& query : choice.queries) {
-                Result<std::vector<Subject>> subjects = whittle_subjects(scene, query_of(query), coherent);
+                Result<std::vector<Subject>> subjects = whittle_subjects(scene, query_of(query));
                 if (!subjects) {
                     fmt::print(stderr, "{}: {}\n", name, subjects.error().message);
                     return 1;

@@ -29,8 +29,8 @@ struct Subject {
 
 enum class Query { kFirst, kAny, kSpans };
 
-// The engine's single rays; and its packets where the query has them and the rays are coherent.
-Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool coherent);
+// The engine's single rays; and its packets where the query has them.
+Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query);
 
 // Embree on the mesh of the scene (chord error 1e-3 of the radius), or on its own balls. Empty where there is no such mesh, or no Embree.
 std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent);

@@ -66,7 +66,7 @@ std::string work_done(Engine& e) {
 
 }  // namespace
 
-Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query, bool coherent) {
+Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query) {
     auto program = compile(scene.solid);
     if (!program) return tl::unexpected<Error>(program.error());
     std::vector<Subject> subjects;
@@ -78,7 +78,7 @@ Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query que
         subjects.push_back({name, [engine, answer](const Ray* rays, int count, Answer* answers) { answer(*engine, rays, count, answers); },
                             [engine] { return work_done(*engine); }});
     };
-    if (query == Query::kFirst && coherent) add("whittle packets", first_packets);
+    if (query == Query::kFirst) add("whittle packets", first_packets);
     if (query == Query::kFirst) add("whittle ray", first);
     if (query == Query::kAny) add("whittle ray", any);
     if (query == Query::kSpans) add("whittle ray", spans);

@@ -82,7 +82,7 @@ Bounds program_bounds(const Program& program);
 // First border with 0 <= t <= t_max.
 bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch, Hit& hit);
 // first_hit() of `count` rays, to the bit: fast where they lie close together and start near each other, as a camera's in a tile of 16 x 16 pixels do
-// (in the order of 4 x 4 blocks), 256 at a time; others are met one by one. hits[i] is set where found[i] is.
+// (in the order of 4 x 4 blocks), 256 at a time; rays that have nothing in common gain too where the solid has few parts. hits[i] is set where found[i] is.
 void first_hits(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found);
 // Is any point with 0 < t < t_max inside the solid?
 bool any_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch);

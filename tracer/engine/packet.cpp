@@ -27,6 +27,10 @@ HWY_EXPORT(tile_hits);
 
 namespace {
 
+// Above this, rays that do not go together are met one by one: eight of them touch too many parts. Incoherent rays in packets against one by one:
+// 5 leaves 4.4 times as fast, 201 1.4, 512 1.6, 1201 1.4; 1756 (Menger sponge) 0.6, 100,000 0.4.
+constexpr std::size_t kMostLeavesApart = 1024;
+
 // False: the rays do not go together.
 bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileBounds& bounds) {
     const std::size_t padded = (count + kMostLanes - 1) / kMostLanes * kMostLanes;
@@ -61,23 +65,37 @@ void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
     hit.departure.count = 1;
 }
 
-void hits_of_tile(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
+// Of at most kTileRays rays that go together, or kMostLanes that need not.
+void hits_of_packets(const Program& program, const TileBounds& bounds, bool together, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits,
+                     bool* found) {
     TileMemory& m = scratch.impl->tile;
-    TileBounds bounds;
-    const bool together = count > 1 && load_tile(rays, static_cast<std::size_t>(count), m, bounds);
-    if (together) {
-        scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m);
-    }
+    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, together);
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        if (!together || m.deferred[k] || rays[i].departure != nullptr) {
-            scratch.counters.packet_deferred += together ? 1 : 0;
+        if (m.deferred[k] || rays[i].departure != nullptr) {
+            ++scratch.counters.packet_deferred;
             found[i] = first_hit(program, rays[i], t_max, scratch, hits[i]);
             continue;
         }
         ++scratch.counters.packet_rays;
         found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
         if (found[i]) make_hit(m, k, rays[i], hits[i]);
+    }
+}
+
+void hits_of_tile(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
+    TileMemory& m = scratch.impl->tile;
+    TileBounds bounds;
+    if (load_tile(rays, static_cast<std::size_t>(count), m, bounds)) return hits_of_packets(program, bounds, true, rays, count, t_max, scratch, hits, found);
+    constexpr int kFew = static_cast<int>(kMostLanes);
+    for (int i = 0; i < count; i += kFew) {
+        const int few = std::min(kFew, count - i);
+        const bool together = load_tile(rays + i, static_cast<std::size_t>(few), m, bounds);
+        if (together || program.leaves.size() <= kMostLeavesApart) {
+            hits_of_packets(program, bounds, together, rays + i, few, t_max, scratch, hits + i, found + i);
+        } else {
+            for (int k = i; k < i + few; ++k) found[k] = first_hit(program, rays[k], t_max, scratch, hits[k]);
+        }
     }
 }
 

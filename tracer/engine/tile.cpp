@@ -49,6 +49,7 @@ TileBounds tile_bounds(const TileExtremes& extremes) {
 }
 
 bool TileBounds::meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const {
+    if (rays_meet) return rays_meet(rays, lo, hi, near, far);
     const double ahead_lo = backward ? o_lo[axis] - hi[axis] : lo[axis] - o_hi[axis];
     const double ahead_hi = backward ? o_hi[axis] - lo[axis] : hi[axis] - o_lo[axis];
     double w0 = std::max(0.0, ahead_lo), w1 = ahead_hi;
@@ -117,7 +118,7 @@ bool meets_turned(const Program& program, const TileBounds& bounds, const Leaf& 
     if (leaf.kind != FormulaKind::kCell || leaf.count == 0) return true;
     const FrameId id = program.classes[program.half_spaces[leaf.first].id()].frame;
     const Frame& frame = program.frames[id];
-    if (id == 0 || frame.motion != 0) return true;
+    if (id == 0 || frame.motion != 0 || bounds.rays_meet) return true;
     std::array<double, 3> lo, hi;
     local_box(program, leaf, id, lo, hi);
     const TileBounds local = tile_bounds(in_frame(bounds.extremes, frame));

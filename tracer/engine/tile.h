@@ -28,6 +28,9 @@ struct TileBounds {
     double slowest = 0, fastest = 0;                           // of |d_axis|
 
     TileExtremes extremes;
+    // Of rays that do not go together: every ray against every box. Set by the packets, with what it is called for.
+    bool (*rays_meet)(const void* rays, const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) = nullptr;
+    const void* rays = nullptr;
 
     // False: no ray of the tile meets the box at t >= 0. [near, far] holds t wherever one does.
     bool meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const;

@@ -39,8 +39,12 @@ std::vector<Ray> tile_around(const Ray& ray, int count, double step) {
     return rays;
 }
 
-// Rays whose packet answer differs from the single one. `together` counts those that packets answered.
-int differing(const Program& program, const std::vector<Ray>& rays, double t_max, std::uint64_t& hits) {
+struct Tally {
+    std::uint64_t hits = 0, in_packets = 0;
+};
+
+// Rays whose packet answer differs from the single one.
+int differing(const Program& program, const std::vector<Ray>& rays, double t_max, Tally& tally) {
     Scratch a, b;
     std::vector<Hit> many(rays.size());
     const auto found = std::make_unique<bool[]>(rays.size());
@@ -49,9 +53,10 @@ int differing(const Program& program, const std::vector<Ray>& rays, double t_max
     for (std::size_t i = 0; i < rays.size(); ++i) {
         Hit one;
         const bool is = first_hit(program, rays[i], t_max, b, one);
-        hits += is;
+        tally.hits += is;
         wrong += is != found[i] || (is && !same_bits(one, many[i]));
     }
+    tally.in_packets += a.counters.packet_rays;
     return wrong;
 }
 
@@ -61,7 +66,7 @@ TEST_CASE("packets give the hits of single rays, to the bit, on every instructio
     const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         hwy::SetSupportedTargetsForTest(target);
-        std::uint64_t hits = 0;
+        Tally tally;
         for (int theme = 0; theme < kThemes; ++theme)
             for (std::uint64_t i = 0; i < 12; ++i) {
                 const RandomSolid solid = random_solid(static_cast<Theme>(theme), seed * 1000 + i);
@@ -72,10 +77,11 @@ TEST_CASE("packets give the hits of single rays, to the bit, on every instructio
                     const std::vector<Ray> rays = tile_around(random_ray(solid, random), 1 + static_cast<int>(random() % 256), k % 2 == 0 ? 1e-3 : 0x1p-7);
                     const double t_max = k == 3 ? 1.0 : HUGE_VAL;
                     INFO(hwy::TargetName(target) << " " << name_of(static_cast<Theme>(theme)) << " " << seed * 1000 + i << " ray " << to_text(rays.front()));
-                    CHECK(differing(**program, rays, t_max, hits) == 0);
+                    CHECK(differing(**program, rays, t_max, tally) == 0);
                 }
             }
-        CHECK(hits > 5000);
+        CHECK(tally.hits > 5000);
+        CHECK(tally.in_packets > 10000);
     }
     hwy::SetSupportedTargetsForTest(0);
 }
@@ -94,8 +100,9 @@ TEST_CASE("a tile's rays along an axis, and rays that do not go together, have t
         down.push_back(ray);
         anyhow.push_back(random.ray_through({Vec3(-2), Vec3(2)}));
     }
-    std::uint64_t hits = 0;
-    CHECK(differing(*program, down, HUGE_VAL, hits) == 0);
-    CHECK(differing(*program, anyhow, HUGE_VAL, hits) == 0);
-    CHECK(hits > 200);
+    Tally tally;
+    CHECK(differing(*program, down, HUGE_VAL, tally) == 0);
+    CHECK(differing(*program, anyhow, HUGE_VAL, tally) == 0);
+    CHECK(tally.hits > 200);
+    CHECK(tally.in_packets > 300);
 }
