@@ -18,6 +18,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "modeler/mesh/cgal/cgal_module.h"
@@ -396,10 +397,19 @@ void put_in_order(Soup& soup) {
     std::sort(soup.polygons.begin(), soup.polygons.end());
 }
 
+// CGAL's conversion to triangles crashes on a facet with a point alone inside it (a corner of another part that touches the face).
+bool has_lone_point(const Nef& nef) {
+    for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f)
+        for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle)
+            if (!cycle.is_shalfedge()) return true;
+    return false;
+}
+
 std::shared_ptr<Exact> by_nef(SetOp op, std::span<const PlacedExact> a, std::span<const PlacedExact> b) {
     TagFinder finder;
     const Nef left = nef_of(a, finder), right = nef_of(b, finder);
     const Nef whole = combined_nef(op, left, right);
+    if (has_lone_point(whole)) throw std::domain_error("a corner touches the inside of a face");
     auto result = std::make_shared<Exact>();
     Soup& soup = result->soup;
     {
@@ -431,6 +441,8 @@ auto guarded(Work&& work) -> decltype(work()) {
         return work();
     } catch (const Interrupted&) {
         return fail(Fault::kInterrupted, "interrupted");
+    } catch (const std::domain_error& e) {
+        return fail(Fault::kScene, std::string("solids cannot be combined: ") + e.what());
     } catch (const std::bad_alloc&) {
         return fail(Fault::kWorld, "out of memory while combining meshes");
     } catch (const std::exception& e) {
