@@ -173,6 +173,9 @@ private:
     static Result<void> check_sound(const ExactKernel& kernel, const GridMesh& mesh) {
         std::vector<Vec3> points;
         for (const GridPoint& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
+        for (const Triangle& t : mesh.triangles)
+            if (glm::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) == Vec3{0})
+                return fail(Fault::kScene, "a solid that is to be combined has facets of no area at this scale");
         const auto pairs = kernel.self_intersections(points, mesh.triangles);
         if (!pairs) return tl::unexpected(pairs.error());
         if (*pairs > 0) return fail(Fault::kScene, fmt::format("a solid that is to be combined crosses or touches itself: {} pairs of facets", *pairs));

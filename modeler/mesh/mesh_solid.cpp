@@ -158,7 +158,9 @@ private:
         if (snapped.mesh.triangles.empty()) return std::optional<Instance>{};
         if (const std::uint64_t open = count_open_edges(snapped.mesh.triangles); open > 0)
             return fail(Fault::kScene, placed_text(fmt::format("a solid is not closed: {} edges lack a neighbour", open), path.place));
-        snapped.may_cross_itself = may_cross_itself;
+        // Against a leaf this small the grid is no longer fine: its triangles may have been pressed into each other.
+        constexpr std::int64_t kSmallLeaf = std::int64_t{1} << 20;
+        snapped.may_cross_itself = may_cross_itself || *std::min_element(snapped.size.begin(), snapped.size.end()) < kSmallLeaf;
         return std::optional<Instance>{plan_.leaf(std::move(snapped), number)};
     }
 
