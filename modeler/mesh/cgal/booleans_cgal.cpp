@@ -289,7 +289,7 @@ bool corefined(SetOp op, Surface& a, Surface& b, const KernelWatch& watch) {
     visitor.second_tags = tags_of(b);
     visitor.control = watch.control;
     const OrderedBlocks::Scope in_order;
-    const auto options = CGAL::parameters::visitor(visitor);
+    const auto options = CGAL::parameters::visitor(visitor).throw_on_self_intersection(true);
     switch (op) {
         case SetOp::kUnion: return pmp::corefine_and_compute_union(a, b, a, options);
         case SetOp::kIntersection: return pmp::corefine_and_compute_intersection(a, b, a, options);
@@ -495,7 +495,11 @@ Result<ExactRef> CgalBooleans::combine(SetOp op, std::span<const PlacedExact> a,
         if (all_surfaces(a) && all_surfaces(b)) {
             std::array<Surface, 2> operands{gathered(a), gathered(b)};  // an array: corefinement orders meshes by address
             const bool safe = !meets_pinch(a, operands[0], operands[1]) && !meets_pinch(b, operands[1], operands[0]);
-            if (safe && corefined(op, operands[0], operands[1], watch)) return ExactRef(decimated(std::move(operands[0]), {op, a, b}, watch));
+            try {
+                if (safe && corefined(op, operands[0], operands[1], watch)) return ExactRef(decimated(std::move(operands[0]), {op, a, b}, watch));
+            } catch (const pmp::Corefinement::Self_intersection_exception&) {  // going on would be wrong, or crash
+                if (!any_pinched(a) && !any_pinched(b)) throw std::domain_error("one of them touches or crosses itself where they meet");
+            }
         }
         ++watch.fallbacks;
         return ExactRef(by_nef(op, a, b));
