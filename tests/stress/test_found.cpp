@@ -85,7 +85,7 @@ TEST_CASE("a scaled extrusion of nothing is nothing") {
 }
 
 // Known to fail where the engine still culls by boxes that do not contain the snap's displacement.
-TEST_CASE("what the snap moves is not cut off by boxes", "[!mayfail]") {
+TEST_CASE("what the snap moves is not cut off by boxes") {
     SolidBuilder b;
     const NodeId profile = b.combine(SetOp::kUnion, {use(b.shape(shape::Rectangle{{0, -1.5}, {0.5, 1.5}}), moved(1.5, -1.5, 0))});
     const NodeId part = b.shape(shape::Revolution{profile, -45, 270, 0});
@@ -95,8 +95,7 @@ TEST_CASE("what the snap moves is not cut off by boxes", "[!mayfail]") {
     CHECK(fault(solid, ray({0.5, -2.5, -1.5}, {0, 1, 0})).empty());
 }
 
-// Known to fail: the first hit names an event 3.5e-16 before the first border, at which the whole does not change.
-TEST_CASE("the first hit is the first border, however close the next events are", "[!mayfail]") {
+TEST_CASE("the first hit is the first border, however close the next events are") {
     const support::RandomSolid solid = support::random_solid(support::Theme::kLadder, 822133728416405116u);
     CHECK(fault(solid.solid, ray({0x1.24dea8b300a54p+1, 0x1.14832dd40e1e8p+0, 0x1.b05e0096227b2p-4},
                                  {-0x1.e8937e9e44be9p+6, -0x1.2723e9a507388p+6, 0x1.0fba293f43d21p+6})).empty());

@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint32_t kFewItems = 3;     // fewer are asked in a row: a hierarchy of two nodes costs as much
 constexpr double kItemCost = 4;            // an item's test against a node's, measured on the drilled plate
 constexpr std::uint32_t kMostInLeaf = 2;
+constexpr double kSnapRoom = 4;             // of the largest distance the snap measured: its samples may miss the worst place
 constexpr double kTriangleCost = 1.5;
 constexpr std::uint32_t kMostTriangles = 4;
 
@@ -28,7 +29,7 @@ public:
         const FormulaNode& root = formula_.nodes[formula_.root];
         program_.empty = root.kind == FormulaKind::kNothing;
         program_.everything = root.kind == FormulaKind::kEverything;
-        program_.bounds = root.outside_value ? everywhere() : program_.empty ? Bounds{} : root.box;
+        program_.bounds = root.outside_value ? everywhere() : program_.empty ? Bounds{} : grown(root.box);
         if (!program_.empty && !program_.everything) program_.root = add(formula_.root);
         program_.report.leaves = program_.uses.size();
         program_.report.kept = program_.leaves.size();
@@ -83,11 +84,17 @@ private:
 
     static bool is_finite(const Bounds& b) { return std::isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z); }
 
+    // A snapped face lies outside its own box by what the snap moved it.
+    Bounds grown(const Bounds& box) const {
+        const double room = kSnapRoom * classes_.largest;
+        return box.empty() ? box : Bounds{box.lo - room, box.hi + room};
+    }
+
     Ref add_group(const FormulaNode& n) {
         Group g;
         g.is_and = n.kind == FormulaKind::kAnd;
         g.outside_value = n.outside_value;
-        g.box = n.box;
+        g.box = grown(n.box);
         g.bounded = is_finite(n.box);
         std::vector<Ref> plain, items;
         std::vector<Bounds> boxes;
@@ -96,7 +103,7 @@ private:
             const bool boxed = c.outside_value == g.is_and && is_finite(c.box);
             const Ref ref = add(child);
             (boxed ? items : plain).push_back(ref);
-            if (boxed) boxes.push_back(c.box);
+            if (boxed) boxes.push_back(grown(c.box));
         }
         if (items.size() <= kFewItems) {
             plain.insert(plain.end(), items.begin(), items.end());

@@ -220,6 +220,49 @@ std::array<Real, 10> normalised(const World& w, const Vec3& centre, Real extent,
     return r;
 }
 
+Real value_at(const std::array<Real, 10>& q, const std::array<Real, 3>& y, std::array<Real, 3>& gradient) {
+    Real value = q[9];
+    for (std::size_t i = 0; i < 3; ++i) {
+        Real m = 0;
+        for (std::size_t j = 0; j < 3; ++j) m += (i == j ? q[i] : q[i + j + 2]) * y[j];
+        value += (m + 2 * q[6 + i]) * y[i];
+        gradient[i] = 2 * (m + q[6 + i]);
+    }
+    return value;
+}
+
+// How far the second surface is from points of the first, in and about the box [-1, 1]^3: the points are those that Newton's steps lead to from a
+// spread of starts. More than any tolerance if hardly a start leads anywhere.
+Real quadric_distance(const std::array<Real, 10>& a, const std::array<Real, 10>& b) {
+    constexpr int kStarts = 24, kSteps = 12, kEnough = 10;  // ten coefficients up to a factor: nine points tell two quadrics apart
+    for (std::size_t i = 0; i < 10; ++i)
+        if (magnitude(a[i] - b[i]) > 0x1p-20L) return 1;
+    Real worst = 0;
+    int reached = 0;
+    for (int k = 0; k < kStarts; ++k) {
+        // A lattice of generic slopes: no start on an axis or a symmetry plane.
+        std::array<Real, 3> y, g;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Real slope = i == 0 ? 0.8191725133961645L : i == 1 ? 0.6710436067037893L : 0.5497004779019703L;
+            const Real turn = (k + 1) * slope;
+            y[i] = 2 * (turn - std::floor(turn)) - 1;
+        }
+        for (int step = 0; step < kSteps; ++step) {
+            const Real v = value_at(a, y, g), g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+            if (!(g2 > 0)) break;
+            for (std::size_t i = 0; i < 3; ++i) y[i] -= v * g[i] / g2;
+        }
+        const Real left = magnitude(value_at(a, y, g)), slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        const Real size = std::max({magnitude(y[0]), magnitude(y[1]), magnitude(y[2])});
+        if (!(size < 2) || !(left < slope * 0x1p-50L)) continue;
+        const Real gap = magnitude(value_at(b, y, g)), steep = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        if (!(steep > 0)) continue;
+        worst = std::max(worst, gap / steep);
+        ++reached;
+    }
+    return reached >= kEnough ? worst : Real(1);
+}
+
 bool touching(const Bounds& a, const Bounds& b, double room) {
     for (int i = 0; i < 3; ++i)
         if (a.lo[i] > b.hi[i] + room || b.lo[i] > a.hi[i] + room) return false;
@@ -313,10 +356,8 @@ private:
         const Vec3 centre = finite_centre(a.box);
         bool fa = false, fb = false;
         const auto x = normalised(w, centre, scale, fa), y = normalised(member.world, centre, scale, fb);
-        Real worst = 0;
-        for (std::size_t i = 0; i < 10; ++i) worst = std::max(worst, magnitude(x[i] - y[i]));
         flipped = fa != fb;
-        distance = static_cast<double>(worst) * scale;
+        distance = static_cast<double>(quadric_distance(x, y)) * scale;
         return distance <= tolerance;
     }
 

@@ -154,6 +154,20 @@ TEST_CASE("a shape without facets is nothing, and cuts nothing away") {
     CHECK(spans[0].out->t == 4);
 }
 
+TEST_CASE("a hair-thin tube keeps its wall: the snap measures distance, not coefficients") {
+    SolidBuilder b;
+    const NodeId outer = b.shape(shape::Frustum{0, 1, 2e-7, 2e-7}), inner = b.shape(shape::Frustum{-1, 2, 1e-7, 1e-7});
+    const auto program = compiled(b.finish(use(b.combine(SetOp::kDifference, {use(outer), use(inner)}))));
+    CHECK(build_report(*program).snap_fused == 0);
+    Scratch s;
+    Spans spans;
+    Ray ray;
+    ray.origin = {-1, 0, 0.5};
+    ray.direction = {1, 0, 1e-3};
+    all_spans(*program, ray, s, spans);
+    CHECK(spans.size() == 2);
+}
+
 TEST_CASE("instances that touch along a face are whole, also when each has a frame of its own") {
     SolidBuilder b;
     const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)});
