@@ -1,0 +1,250 @@
+// world_surface.cpp — supports taken to the root frame, and the distance of two quadrics.
+#include "tracer/engine/world_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whittle {
+
+namespace {
+
+constexpr std::array<std::array<std::size_t, 2>, 6> kPairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+Real entry(const std::array<Real, 6>& m, std::size_t i, std::size_t j) {
+    if (i == j) return m[i];
+    return m[i + j + 2];
+}
+
+// Adds weight * (n.x + k)^2.
+void add_square(WorldSurface& w, const std::array<Real, 3>& n, Real k, Real weight) {
+    for (std::size_t e = 0; e < 6; ++e) w.m[e] += weight * n[kPairs[e][0]] * n[kPairs[e][1]];
+    for (std::size_t i = 0; i < 3; ++i) w.b[i] += weight * n[i] * k;
+    w.c += weight * k * k;
+}
+
+WorldSurface local_plane(const Support& s) {
+    WorldSurface w;
+    const auto& p = s.p;
+    if (s.kind == SupportKind::kAxisPlane) {
+        w.b[s.axis] = 1;
+        w.c = -Real(p[0]);
+    } else if (s.kind == SupportKind::kPlane) {
+        for (std::size_t i = 0; i < 3; ++i) w.b[i] = p[i];
+        w.c = -Real(p[3]);
+    } else if (s.kind == SupportKind::kEdgePlane) {
+        const std::size_t u = (s.axis + 1u) % 3, v = (s.axis + 2u) % 3;
+        w.b[u] = Real(p[3]) - p[1];
+        w.b[v] = Real(p[0]) - p[2];
+        w.c = -(w.b[u] * p[0] + w.b[v] * p[1]);
+    } else {
+        std::array<Real, 3> e, f;
+        for (std::size_t i = 0; i < 3; ++i) e[i] = Real(p[3 + i]) - p[i], f[i] = Real(p[6 + i]) - p[i];
+        for (std::size_t i = 0; i < 3; ++i) {
+            w.b[i] = e[(i + 1) % 3] * f[(i + 2) % 3] - e[(i + 2) % 3] * f[(i + 1) % 3];
+            w.c -= w.b[i] * p[i];
+        }
+    }
+    return w;
+}
+
+void add_tube(WorldSurface& w, const std::array<double, 10>& p) {
+    std::array<Real, 3> axis;
+    Real length2 = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axis[i] = Real(p[3 + i]) - p[i];
+        length2 += axis[i] * axis[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        std::array<Real, 3> n{};
+        n[k] = axis[j];
+        n[j] = -axis[k];
+        add_square(w, n, -(axis[j] * p[k] - axis[k] * p[j]), 1);
+    }
+    w.c -= Real(p[6]) * p[6] * length2;
+}
+
+WorldSurface local_quadric(const Support& s) {
+    WorldSurface w;
+    w.form = WorldSurface::Form::kQuadric;
+    const auto& p = s.p;
+    const auto unit = [](std::size_t i) {
+        std::array<Real, 3> n{};
+        n[i] = 1;
+        return n;
+    };
+    const std::size_t u = (s.axis + 1u) % 3, v = (s.axis + 2u) % 3;
+    switch (s.kind) {
+        case SupportKind::kBall:
+        case SupportKind::kTorusCore:
+            for (std::size_t i = 0; i < 3; ++i) add_square(w, unit(i), -Real(p[i]), 1);
+            w.c += s.kind == SupportKind::kBall ? -Real(p[3]) * p[3] : Real(p[3]) * p[3] - Real(p[4]) * p[4];
+            break;
+        case SupportKind::kEllipsoid:
+            for (std::size_t i = 0; i < 3; ++i) add_square(w, unit(i), -Real(p[i]), 1 / (Real(p[3 + i]) * p[3 + i]));
+            w.c -= 1;
+            break;
+        case SupportKind::kCylinder:
+            add_square(w, unit(u), -Real(p[0]), 1);
+            add_square(w, unit(v), -Real(p[1]), 1);
+            w.c -= Real(p[2]) * p[2];
+            break;
+        case SupportKind::kCone: {
+            const Real slope = (Real(p[5]) - p[4]) / (Real(p[3]) - p[2]);
+            add_square(w, unit(u), -Real(p[0]), 1);
+            add_square(w, unit(v), -Real(p[1]), 1);
+            std::array<Real, 3> n{};
+            n[s.axis] = slope;
+            add_square(w, n, p[4] - slope * p[2], -1);
+            break;
+        }
+        case SupportKind::kTube: add_tube(w, p); break;
+        default:
+            w.m = {p[0], p[1], p[2], Real(p[3]) / 2, Real(p[4]) / 2, Real(p[5]) / 2};
+            w.b = {Real(p[6]) / 2, Real(p[7]) / 2, Real(p[8]) / 2};
+            w.c = p[9];
+    }
+    return w;
+}
+
+using Rows = std::array<std::array<Real, 3>, 3>;
+
+Rows inverse_of(const Placement& a) {
+    const auto at = [&](std::size_t r, std::size_t c) { return Real(a.m[4 * (r % 3) + c % 3]); };
+    const auto minor = [&](std::size_t r, std::size_t c) { return at(r + 1, c + 1) * at(r + 2, c + 2) - at(r + 1, c + 2) * at(r + 2, c + 1); };
+    const Real det = at(0, 0) * minor(0, 0) + at(0, 1) * minor(0, 1) + at(0, 2) * minor(0, 2);
+    Rows r;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) r[i][j] = minor(j, i) / det;
+    return r;
+}
+
+// x_local = inverse (x - offset).
+WorldSurface to_root(const WorldSurface& local, const Frame& frame) {
+    if (frame.identity) return local;
+    const Rows inverse = inverse_of(frame.placement);
+    WorldSurface w = local;
+    if (local.form == WorldSurface::Form::kTorus) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            w.centre[i] = frame.placement.m[4 * i + 3];
+            w.b[i] = 0;
+            for (std::size_t j = 0; j < 3; ++j) {
+                w.centre[i] += Real(frame.placement.m[4 * i + j]) * local.centre[j];
+                w.b[i] += Real(frame.placement.m[4 * i + j]) * local.b[j];
+            }
+        }
+        return w;
+    }
+    w.b = {};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) w.b[j] += inverse[i][j] * local.b[i];
+    w.m = {};
+    for (std::size_t e = 0; e < 6; ++e)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) w.m[e] += inverse[i][kPairs[e][0]] * entry(local.m, i, j) * inverse[j][kPairs[e][1]];
+    // Shift by the offset b: M stays, b -> b - M b0, c -> c - 2 b.b0 + b0'M b0 (for a plane c - b.b0).
+    std::array<Real, 3> moved{};
+    Real linear = 0, square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Real oi = frame.placement.m[4 * i + 3];
+        linear += w.b[i] * oi;
+        for (std::size_t j = 0; j < 3; ++j) {
+            const Real oj = frame.placement.m[4 * j + 3];
+            moved[i] += entry(w.m, i, j) * oj;
+            square += oi * entry(w.m, i, j) * oj;
+        }
+    }
+    if (local.form == WorldSurface::Form::kPlane) {
+        w.c -= linear;
+    } else {
+        w.c += square - 2 * linear;
+        for (std::size_t i = 0; i < 3; ++i) w.b[i] -= moved[i];
+    }
+    return w;
+}
+
+Real value_at(const std::array<Real, 10>& q, const std::array<Real, 3>& y, std::array<Real, 3>& gradient) {
+    Real value = q[9];
+    for (std::size_t i = 0; i < 3; ++i) {
+        Real m = 0;
+        for (std::size_t j = 0; j < 3; ++j) m += (i == j ? q[i] : q[i + j + 2]) * y[j];
+        value += (m + 2 * q[6 + i]) * y[i];
+        gradient[i] = 2 * (m + q[6 + i]);
+    }
+    return value;
+}
+
+}  // namespace
+
+WorldSurface world_surface(const Support& support, const Frame& frame) {
+    WorldSurface w;
+    if (is_plane(support.kind)) {
+        w = to_root(local_plane(support), frame);
+        const Real length = std::sqrt(w.b[0] * w.b[0] + w.b[1] * w.b[1] + w.b[2] * w.b[2]);
+        for (Real& x : w.b) x /= length;
+        w.c /= length;
+        return w;
+    }
+    if (support.kind != SupportKind::kTorus) return to_root(local_quadric(support), frame);
+    w.form = WorldSurface::Form::kTorus;
+    w.b[support.axis] = 1;
+    for (std::size_t i = 0; i < 3; ++i) w.centre[i] = support.p[i];
+    w.ring = support.p[3];
+    w.tube = support.p[4];
+    return to_root(w, frame);
+}
+
+QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped) {
+    std::array<Real, 3> mc{};
+    Real c = w.c;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) mc[i] += entry(w.m, i, j) * centre[static_cast<int>(j)];
+        c += (2 * w.b[i] + mc[i]) * centre[static_cast<int>(i)];
+    }
+    std::array<Real, 10> r{};
+    for (std::size_t e = 0; e < 6; ++e) r[e] = w.m[e] * extent * extent;
+    for (std::size_t i = 0; i < 3; ++i) r[6 + i] = (w.b[i] + mc[i]) * extent;
+    r[9] = c;
+    Real most = 0;
+    for (const Real x : r) most = std::max(most, magnitude(x));
+    flipped = false;
+    for (const Real x : r)
+        if (magnitude(x) > most / 2) {
+            flipped = x < 0;
+            break;
+        }
+    for (Real& x : r) x = most > 0 ? (flipped ? -x : x) / most : x;
+    return r;
+}
+
+Real quadric_distance(const QuadricForm& a, const QuadricForm& b) {
+    constexpr int kStarts = 24, kSteps = 12, kEnough = 10;  // ten coefficients up to a factor: nine points tell two quadrics apart
+    for (std::size_t i = 0; i < 10; ++i)
+        if (magnitude(a[i] - b[i]) > 0x1p-20L) return 1;
+    Real worst = 0;
+    int reached = 0;
+    for (int k = 0; k < kStarts; ++k) {
+        // A lattice of generic slopes: no start on an axis or a symmetry plane.
+        std::array<Real, 3> y, g;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Real slope = i == 0 ? 0.8191725133961645L : i == 1 ? 0.6710436067037893L : 0.5497004779019703L;
+            const Real turn = (k + 1) * slope;
+            y[i] = 2 * (turn - std::floor(turn)) - 1;
+        }
+        for (int step = 0; step < kSteps; ++step) {
+            const Real v = value_at(a, y, g), g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+            if (!(g2 > 0)) break;
+            for (std::size_t i = 0; i < 3; ++i) y[i] -= v * g[i] / g2;
+        }
+        const Real left = magnitude(value_at(a, y, g)), slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        const Real size = std::max({magnitude(y[0]), magnitude(y[1]), magnitude(y[2])});
+        if (!(size < 2) || !(left < slope * 0x1p-50L)) continue;
+        const Real gap = magnitude(value_at(b, y, g)), steep = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        if (!(steep > 0)) continue;
+        worst = std::max(worst, gap / steep);
+        ++reached;
+    }
+    return reached >= kEnough ? worst : Real(1);
+}
+
+}  // namespace whittle

@@ -1,0 +1,37 @@
+// world_surface.h — supports as surfaces of the root frame, for telling whether two coincide. Private to the engine.
+//
+// In long double: its rounding is 2^11 below that of the numbers compared.
+#pragma once
+
+#include <array>
+
+#include "tracer/engine/support.h"
+
+namespace whittle {
+
+using Real = long double;
+
+inline Real magnitude(Real x) { return x < 0 ? -x : x; }
+
+// Surface in the root frame, up to a factor: a plane (n, d) with unit n, or a quadric x'Mx + 2b'x + c, or a torus.
+struct WorldSurface {
+    enum class Form : std::uint8_t { kPlane, kQuadric, kTorus } form = Form::kPlane;
+    std::array<Real, 6> m{};  // xx yy zz xy xz yz
+    std::array<Real, 3> b{};  // a plane's normal; a torus's axis
+    Real c = 0;               // plane: b.x + c = 0
+    std::array<Real, 3> centre{};
+    Real ring = 0, tube = 0;
+};
+
+WorldSurface world_surface(const Support& support, const Frame& frame);
+
+// The quadric's ten coefficients (xx yy zz xy xz yz x y z 1, mixed and linear ones halved) with x = centre + extent * y; the largest is 1 in magnitude and
+// the first large one positive.
+using QuadricForm = std::array<Real, 10>;
+QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped);
+
+// How far the second quadric is from points of the first, in and about the box [-1, 1]^3: the points are those that Newton's steps lead to from a
+// spread of starts. 1, more than any tolerance, where the coefficients are plainly different or hardly a start leads anywhere.
+Real quadric_distance(const QuadricForm& a, const QuadricForm& b);
+
+}  // namespace whittle
