@@ -10,7 +10,7 @@ set -eu
 cd "$(dirname "$0")"
 
 build=build/release
-program_packages="g++ cmake ninja-build libfmt-dev libglm-dev libexpected-dev libsleef-dev libtbb-dev libgmp-dev libpolyclipping-dev
+program_packages="g++ cmake ninja-build libfmt-dev libglm-dev libexpected-dev libsleef-dev libtbb-dev libhwy-dev libgmp-dev libpolyclipping-dev
     libcli11-dev nlohmann-json3-dev libopenimageio-dev"
 test_packages="libcgal-dev libmpfr-dev libopenmesh-dev catch2"
 
