@@ -33,7 +33,7 @@ if(EXISTS "${BUILD_DIR}/whittle_cgal.so")
   expect("closed and oriented" "${prefix}/bin/whittle" mesh part.scad -o part.off --report)
 endif()
 
-expect("" "${CMAKE_COMMAND}" -S "${SOURCE_DIR}/tests/install/consumer" -B "${root}/consumer" "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${CXX}"
+expect("" "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${SOURCE_DIR}/tests/install/consumer" -B "${root}/consumer" "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${CXX}"
        "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=Release)
 expect("" "${CMAKE_COMMAND}" --build "${root}/consumer")
 expect("^3 7" "${root}/consumer/consumer")
