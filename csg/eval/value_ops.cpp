@@ -5,37 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "csg/lang/print_ast.h"
+
 namespace whittle {
 
 using ast::Op;
-
-const char* operator_text(Op op) {
-    switch (op) {
-        case Op::kNot: return "!";
-        case Op::kNegate: return "-";
-        case Op::kPlus: return "+";
-        case Op::kBitNot: return "~";
-        case Op::kOr: return "||";
-        case Op::kAnd: return "&&";
-        case Op::kEqual: return "==";
-        case Op::kNotEqual: return "!=";
-        case Op::kLess: return "<";
-        case Op::kLessEqual: return "<=";
-        case Op::kGreater: return ">";
-        case Op::kGreaterEqual: return ">=";
-        case Op::kBitOr: return "|";
-        case Op::kBitAnd: return "&";
-        case Op::kShiftLeft: return "<<";
-        case Op::kShiftRight: return ">>";
-        case Op::kAdd: return "+";
-        case Op::kSubtract: return "-";
-        case Op::kMultiply: return "*";
-        case Op::kDivide: return "/";
-        case Op::kModulo: return "%";
-        case Op::kPower: return "^";
-    }
-    return "";
-}
 
 bool equal(const Value& left, const Value& right) {
     if (left.type() != right.type()) return left.is_undef() && right.is_undef();

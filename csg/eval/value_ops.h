@@ -8,8 +8,6 @@
 
 namespace whittle {
 
-const char* operator_text(ast::Op op);
-
 // Value of `left op right`; where undefined, undef, and `problem` says why in OpenSCAD's words. Not for && and ||.
 Value binary_operation(Heap& heap, ast::Op op, const Value& left, const Value& right, std::string& problem);
 Value unary_operation(Heap& heap, ast::Op op, const Value& operand, std::string& problem);

@@ -4,9 +4,7 @@ namespace whittle {
 
 using namespace ast;
 
-namespace {
-
-const char* sign(Op op) {
+const char* operator_text(Op op) {
     switch (op) {
         case Op::kNot: return "!";
         case Op::kNegate: return "-";
@@ -34,6 +32,8 @@ const char* sign(Op op) {
     return "";
 }
 
+namespace {
+
 class Printer {
 public:
     Printer(std::string& out, const Ast& tree, const Names& names, void (*number)(std::string&, double))
@@ -48,7 +48,7 @@ public:
             case ExprKind::kNumber: number_(out_, e.number); return;
             case ExprKind::kString: print_string(tree_.strings[e.a]); return;
             case ExprKind::kName: out_ += names_.text(e.a); return;
-            case ExprKind::kUnary: parts({sign(e.op)}), print(e.a); return;
+            case ExprKind::kUnary: parts({operator_text(e.op)}), print(e.a); return;
             case ExprKind::kBinary: print_infix(e); return;
             case ExprKind::kTernary: parts({"("}), print(e.a), parts({" ? "}), print(e.b), parts({" : "}), print(e.c), parts({")"}); return;
             case ExprKind::kCall: print_callee(e.a), parts({"("}), arguments({e.b, e.c}), parts({")"}); return;
@@ -110,7 +110,7 @@ private:
     void print_infix(const Expr& e) {
         out_ += "(";
         print(e.a);
-        parts({" ", sign(e.op), " "});
+        parts({" ", operator_text(e.op), " "});
         print(e.b);
         out_ += ")";
     }

@@ -8,6 +8,9 @@
 
 namespace whittle {
 
+// The operator as the author writes it.
+const char* operator_text(ast::Op op);
+
 // Every operation of two or three operands in parentheses; numbers to six digits by `number`.
 void print_expression(std::string& out, const ast::Ast& tree, ast::ExprId id, const Names& names, void (*number)(std::string&, double));
 
