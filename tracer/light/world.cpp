@@ -75,14 +75,37 @@ int World::owner(std::uint32_t inside) const {
 }
 
 bool World::next(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
-    return divided() ? next_of_all(ray, leaving, t_max, scratch, border) : next_of_one(ray, leaving, t_max, scratch, border);
-}
-
-bool World::next_of_one(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
+    if (divided()) return next_of_all(ray, leaving, t_max, scratch, border);
     Ray asked = ray;
     asked.departure = leaving && leaving->parts ? &leaving->events[0] : nullptr;
     Hit hit;
     if (!first_hit(*parts_[0].program, asked, t_max, scratch, hit)) return false;
+    border_of(ray, hit, border);
+    return true;
+}
+
+void World::meet(const Ray* rays, int count, Scratch& scratch, MetTogether& met) const {
+    met.parts.resize(parts_.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        first_hits(*parts_[k].program, rays, count, kInfinity, scratch, met.parts[k].hits.data(), met.parts[k].found.data());
+}
+
+bool World::first(const Ray& ray, const MetTogether& met, int k, Scratch& scratch, Border& border) const {
+    const auto at = static_cast<std::size_t>(k);
+    if (!divided()) {
+        if (met.parts[0].found[at]) border_of(ray, met.parts[0].hits[at], border);
+        return met.parts[0].found[at];
+    }
+    Meeting meeting;
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        if (!met.parts[part].found[at]) continue;
+        meeting.hits[part] = met.parts[part].hits[at];
+        meeting.add(part);
+    }
+    return next_of_meeting(ray, meeting, kInfinity, scratch, border);
+}
+
+void World::border_of(const Ray& ray, const Hit& hit, Border& border) const {
     const Surface& surface = parts_[0].surfaces[hit.end.use];
     border.t = border.travelled = hit.end.t;
     border.point = hit.point;
@@ -93,45 +116,59 @@ bool World::next_of_one(const Ray& ray, const Leaving* leaving, double t_max, Sc
     border.certified = hit.end.certified;
     border.leaving.events[0] = hit.departure;
     border.leaving.parts = 1;
-    return true;
+}
+
+void World::Meeting::add(std::size_t part) {
+    met |= 1U << part;
+    if (hits[part].from_inside) inside |= 1U << part;
+    if (nearest == kMostParts || hits[part].end.t < hits[nearest].end.t) nearest = part;
+}
+
+void World::ask_all(const Ray& ray, const Leaving& left, Scratch& scratch, Meeting& meeting) const {
+    Ray asked = ray;
+    meeting.met = meeting.inside = 0;
+    meeting.nearest = kMostParts;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        asked.departure = (left.parts >> k) & 1U ? &left.events[k] : nullptr;
+        if (first_hit(*parts_[k].program, asked, kInfinity, scratch, meeting.hits[k])) meeting.add(k);
+    }
 }
 
 bool World::next_of_all(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
+    Meeting meeting;
+    ask_all(ray, leaving ? *leaving : Leaving{}, scratch, meeting);
+    return next_of_meeting(ray, meeting, t_max, scratch, border);
+}
+
+// Goes on from the nearest answer, past borders that a stronger part hides.
+bool World::next_of_meeting(const Ray& ray, Meeting& meeting, double t_max, Scratch& scratch, Border& border) const {
     Ray asked = ray;
-    Leaving left;
-    if (leaving) left = *leaving;
     double passed = 0;
-    std::array<Hit, kMostParts> hits;
     for (int hidden = 0; hidden < kMostHidden; ++hidden) {
-        std::uint32_t met = 0, inside = 0;
-        std::size_t nearest = kMostParts;
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            asked.departure = (left.parts >> k) & 1U ? &left.events[k] : nullptr;
-            if (!first_hit(*parts_[k].program, asked, kInfinity, scratch, hits[k])) continue;
-            met |= 1U << k;
-            if (hits[k].from_inside) inside |= 1U << k;
-            if (nearest == kMostParts || hits[k].end.t < hits[nearest].end.t) nearest = k;
-        }
-        if (nearest == kMostParts || passed + hits[nearest].end.t > t_max) return false;
-        const End& first = hits[nearest].end;
+        const std::array<Hit, kMostParts>& hits = meeting.hits;
+        if (meeting.nearest == kMostParts || passed + hits[meeting.nearest].end.t > t_max) return false;
+        const End& first = hits[meeting.nearest].end;
         std::uint32_t tied = 0;
-        left.parts = 0;
+        Leaving left;
         for (std::size_t k = 0; k < parts_.size(); ++k)
-            if (((met >> k) & 1U) && hits[k].end.t - first.t <= hits[k].end.t_error + first.t_error + tie_) {
+            if (((meeting.met >> k) & 1U) && hits[k].end.t - first.t <= hits[k].end.t_error + first.t_error + tie_) {
                 tied |= 1U << k;
                 left.events[k] = hits[k].departure;
             }
         left.parts = tied;
-        const int before = owner(inside), after = owner(inside ^ tied);
+        const int before = owner(meeting.inside), after = owner(meeting.inside ^ tied);
         passed += first.t;
-        asked.origin = hits[nearest].point;
-        if (before == after) continue;
+        asked.origin = hits[meeting.nearest].point;
+        if (before == after) {
+            ask_all(asked, left, scratch, meeting);
+            continue;
+        }
         // The face is shown by the part that begins, else by the one that ends. What is opaque and was there before shows its own matter.
         const int shown = after >= 0 && ((tied >> after) & 1U) ? after : before;
         const int looks = after >= 0 ? after : before;
         const End& face = hits[static_cast<std::size_t>(shown)].end;
         border.t = border.travelled = passed;
-        border.point = hits[nearest].point;
+        border.point = asked.origin;
         border.normal = glm::dot(face.normal, ray.direction) > 0 ? -face.normal : face.normal;
         border.surface = &parts_[static_cast<std::size_t>(looks)].surfaces[hits[static_cast<std::size_t>(looks)].end.use];
         border.before = before >= 0 ? &parts_[static_cast<std::size_t>(before)].matter : nullptr;

@@ -41,6 +41,22 @@ struct Border {
     double eta() const { return (before ? before->ior : 1.0) / (after ? after->ior : 1.0); }
 };
 
+// What a camera ray meets first; `met` false: nothing.
+struct FirstBorder {
+    bool met = false;
+    Border border;
+};
+
+// First hits of rays asked together, part by part. Made by World::meet(), read by World::first().
+struct MetTogether {
+    static constexpr int kMost = 256;
+    struct OfPart {
+        std::array<Hit, kMost> hits;
+        std::array<bool, kMost> found;
+    };
+    std::vector<OfPart> parts;
+};
+
 class World {
 public:
     // kScene: an unknown material.
@@ -48,6 +64,10 @@ public:
 
     // The first border with t <= t_max at which the matter changes. Requires a unit direction; `leaving` may be null.
     bool next(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    // The first borders of `count` <= MetTogether::kMost rays without departures: first() gives next() of ray `k`, to the bit. Fast where the rays lie
+    // close together (first_hits(), engine.h).
+    void meet(const Ray* rays, int count, Scratch& scratch, MetTogether& met) const;
+    bool first(const Ray& ray, const MetTogether& met, int k, Scratch& scratch, Border& border) const;
     // Is anything before t_max? Asks the whole solid.
     bool blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const;
 
@@ -65,8 +85,17 @@ private:
         double priority = 0;
         bool clear = false;
     };
-    bool next_of_one(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    // What the parts answered to one ray.
+    struct Meeting {
+        std::array<Hit, kMostParts> hits;
+        std::uint32_t met = 0, inside = 0;
+        std::size_t nearest = kMostParts;
+        void add(std::size_t part);
+    };
+    void border_of(const Ray& ray, const Hit& hit, Border& border) const;
+    void ask_all(const Ray& ray, const Leaving& left, Scratch& scratch, Meeting& meeting) const;
     bool next_of_all(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const;
+    bool next_of_meeting(const Ray& ray, Meeting& meeting, double t_max, Scratch& scratch, Border& border) const;
     int owner(std::uint32_t inside) const;
 
     std::vector<Part> parts_;
