@@ -21,12 +21,12 @@ double weighed(double own, double other) {
 
 }  // namespace
 
-CameraLight PathTracer::camera_light(const Ray& ray, double height, const Sampler& sampler) {
+CameraLight PathTracer::camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first) {
     ++counters_.camera;
     Walk walk;
     walk.ray = ray;
     bool met = false;
-    while (step(walk, height, sampler)) met = true;
+    while (step(walk, height, sampler, met ? nullptr : first)) met = true;
     // A walk that ends at its first border met the solid as well.
     met = met || walk.departs;
     return {walk.radiance, met ? 1.0 : 0.0};
@@ -44,9 +44,10 @@ void PathTracer::meet_lamp(Walk& walk, const LightMet& lamp) const {
 }
 
 // One border further; false where the walk ends.
-bool PathTracer::step(Walk& walk, double height, const Sampler& sampler) {
-    Border border;
-    const bool met = stage_.world.next(walk.ray, walk.departs ? &walk.leaving : nullptr, kInfinity, scratch_, border);
+bool PathTracer::step(Walk& walk, double height, const Sampler& sampler, const FirstBorder* known) {
+    FirstBorder asked;
+    if (!known) asked.met = stage_.world.next(walk.ray, walk.departs ? &walk.leaving : nullptr, kInfinity, scratch_, asked.border);
+    const auto& [met, border] = known ? *known : asked;
     LightMet lamp;
     if (direct_.lamp_seen(walk.ray, met ? border.t : kInfinity, lamp)) {
         meet_lamp(walk, lamp);

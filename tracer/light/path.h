@@ -13,7 +13,8 @@ class PathTracer {
 public:
     PathTracer(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), direct_(stage, scratch, counters), scratch_(scratch), counters_(counters) {}
 
-    CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler);
+    // As Tracer::camera_light().
+    CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first = nullptr);
 
 private:
     // The walk so far.
@@ -30,7 +31,7 @@ private:
         int covers = 0;
     };
 
-    bool step(Walk& walk, double height, const Sampler& sampler);
+    bool step(Walk& walk, double height, const Sampler& sampler, const FirstBorder* known);
     void meet_lamp(Walk& walk, const LightMet& lamp) const;
     void add_lamps(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler);
     bool scatter(Walk& walk, const Border& border, const Bsdf& bsdf, const Sampler& sampler);

@@ -4,10 +4,8 @@
 #include <sleef.h>
 
 #include "tracer/image/tone.h"
-#include "tracer/light/direct.h"
-#include "tracer/light/path.h"
+#include "tracer/light/integrator.h"
 #include "tracer/light/planes.h"
-#include "tracer/light/tracer.h"
 
 namespace whittle {
 
@@ -20,8 +18,7 @@ constexpr double kEdgeShare = 0.06;
 struct TileWork {
     const Stage& stage;
     Scratch& scratch;
-    Tracer tracer;
-    PathTracer walker;
+    Integration integration;
     Spans spans;
 };
 
@@ -31,10 +28,9 @@ CameraLight xray_light(TileWork& work, const Ray& ray) {
     return {Vec3(0.02, 0.05, 0.10) + share * Vec3(0.90, 0.90, 0.86), thickness > 0 ? 1.0 : 0.0};
 }
 
-CameraLight light_along(TileWork& work, const Ray& ray, double height, const Sampler& sampler) {
-    if (work.stage.options.look == Look::kXray) return xray_light(work, ray);
-    if (work.stage.integrator == Integrator::kPath) return work.walker.camera_light(ray, height, sampler);
-    return work.tracer.camera_light(ray, height, sampler);
+CameraLight light_of(TileWork& work, const CameraSample& sample, const Sampler& sampler) {
+    if (work.stage.options.look == Look::kXray) return xray_light(work, sample.ray);
+    return work.integration.radiance(sample, sampler);
 }
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -58,12 +54,7 @@ void draw_sample(TileWork& work, int x, int y, int index, PixelSums& sums) {
     FilterSampler::Place place{Vec2(0), 1};
     if (stage.options.samples > 1) place = stage.filter.place(sampler.pair(Draw::kPixel));
     const double px = x + 0.5 + place.offset.x, py = y + 0.5 + place.offset.y;
-    Ray ray = picture_ray(stage, px, py);
-    if (stage.needs.lens && stage.integrator >= Integrator::kDistributed) {
-        const double half = stage.options.height / 2.0;
-        ray = camera_ray(stage.lens, (px - stage.options.width / 2.0) / half, (half - py) / half, sampler.pair(Draw::kLens));
-    }
-    CameraLight light = light_along(work, ray, picture_height(stage, py), sampler);
+    CameraLight light = light_of(work, camera_sample(stage, x, y, index, px, py, sampler), sampler);
     if (stage.options.edges && on_edge(stage, px, py, work.scratch)) light.radiance *= kEdgeShare;
     add_sample(light, place.weight, sums);
 }
@@ -75,7 +66,7 @@ double work_done(const Scratch& scratch) { return static_cast<double>(scratch.co
 bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film, const std::atomic<bool>* abort) {
     std::vector<PixelSums> kept;
     kept.reserve(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
-    TileWork work{stage, scratch, Tracer(stage, scratch, counters), PathTracer(stage, scratch, counters), {}};
+    TileWork work{stage, scratch, Integration(stage, scratch, counters), {}};
     const bool planes = film.aovs != 0 && begin == 0;
     std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
     for (int y = tile.y; y < tile.y + tile.height; ++y)

@@ -19,11 +19,12 @@ constexpr int kMostCovers = 64;
 
 }  // namespace
 
-CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler) {
+CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first) {
     sampler_ = &sampler;
     ++counters_.camera;
-    Border border;
-    const bool met = stage_.world.next(ray, nullptr, kInfinity, scratch_, border);
+    FirstBorder asked;
+    if (!first) asked.met = stage_.world.next(ray, nullptr, kInfinity, scratch_, asked.border);
+    const auto& [met, border] = first ? *first : asked;
     LightMet lamp;
     if (direct_.lamp_seen(ray, met ? border.t : kInfinity, lamp)) return {lamp.radiance, 1};
     if (met) return {shade(ray, border, Branch{}), 1};

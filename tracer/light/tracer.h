@@ -15,8 +15,8 @@ class Tracer {
 public:
     Tracer(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), direct_(stage, scratch, counters), scratch_(scratch), counters_(counters) {}
 
-    // Light that arrives against the camera ray. `height` is its place in the picture, -1..1 from bottom to top.
-    CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler);
+    // Light that arrives against the camera ray. `height` is its place in the picture, -1..1 from bottom to top; `first` what the ray meets, where known.
+    CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first = nullptr);
 
 private:
     // One ray of the tree. `weight`: the largest share of the pixel it can make.
