@@ -49,11 +49,53 @@ Pair alternating_series(double x, int first) {
     return sum;
 }
 
+// The exact square; cheaper than std::fma where that is a call. Source: T. J. Dekker, A floating-point technique (1971).
+Pair square_of(double x) {
+    const double t = 134217729.0 * x, high = t - (t - x), low = x - high, p = x * x;
+    return {p, ((high * high - p) + 2 * high * low) + low * low};
+}
+
+// A value known to within a relative 2^-58, rounded, if no double lies so near that the error could matter (Ziv's test); else NaN.
+double rounded_if_safe(double high, double low) {
+    const double error = high * 0x1p-58;
+    const double r = high + low;
+    return high + (low + error) == r && high + (low - error) == r ? r : std::numeric_limits<double>::quiet_NaN();
+}
+
+// First tries, for 0 <= x <= pi/4. The leading corrections -x^2/6 (of the sine, relative) and -x^2/2 + x^4/24 (of the cosine) carry 100 bits; the rest
+// weighs less than 0.0032 (0.0004) and has a relative error below 8 ulp: together below 2^-58 of the result.
+double quick_sine(double x) {
+    const Pair y = square_of(x);
+    constexpr double kSixth = 1.0 / 6, kSixthLow = 9.25185853854297e-18;  // their sum is 1/6 to 106 bits
+    const double p = y.high;
+    const double p2 = p * p;
+    const double rest = p2 * ((1.0 / 120 + p * (-1.0 / 5040)) + p2 * ((1.0 / 362880 + p * (-1.0 / 39916800)) +
+                        p2 * ((1.0 / 6227020800 + p * (-1.0 / 1307674368000)) + p2 * (1.0 / 355687428096000))));
+    const Pair c = product(y, {-kSixth, -kSixthLow});
+    const Pair factor = sum_ordered(1, c.high);                        // 1 - x^2/6 + rest
+    const Pair s = product({x, 0}, sum_ordered(factor.high, factor.low + (c.low + rest)));
+    return rounded_if_safe(s.high, s.low);
+}
+double quick_cosine(double x) {
+    const Pair y = square_of(x);
+    const double p = y.high;
+    constexpr double k24th = 1.0 / 24, k24thLow = 2.3129646346357427e-18;
+    const double p2 = p * p;
+    const double rest = p * p2 * ((-1.0 / 720 + p * (1.0 / 40320)) + p2 * ((-1.0 / 3628800 + p * (1.0 / 479001600)) +
+                        p2 * ((-1.0 / 87178291200 + p * (1.0 / 20922789888000)) + p2 * (-1.0 / 6402373705728000))));
+    const Pair quartic = product(product(y, y), {k24th, k24thLow});
+    const Pair first = sum_ordered(1, -y.high / 2);
+    const Pair second = sum_ordered(first.high, quartic.high);
+    return rounded_if_safe(second.high, second.low + (first.low - y.low / 2 + quartic.low + rest));
+}
+
 double sine_of_small(double x) {
+    if (const double quick = quick_sine(x); quick == quick) return quick;
     const Pair s = product({x, 0}, alternating_series(x, 2));
     return s.high + s.low;
 }
 double cosine_of_small(double x) {
+    if (const double quick = quick_cosine(x); quick == quick) return quick;
     const Pair s = alternating_series(x, 1);
     return s.high + s.low;
 }
