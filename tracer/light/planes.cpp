@@ -1,8 +1,7 @@
 #include "tracer/light/planes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+#include <memory>
 
 namespace whittle {
 
@@ -44,41 +43,7 @@ void fill_hit(const Stage& stage, const Hit& hit, const Writer& writer) {
     writer.put(Aov::kCertified, hit.end.certified ? 1.0 : 0.0);
 }
 
-// Faces that meet more flatly than this (15 degrees) are drawn as one.
-constexpr double kFlatCosine = 0.9659258262890683;
-
-struct Seen {
-    bool met = false;
-    Hit hit;
-};
-
-Seen seen_at(const Stage& stage, double px, double py, Scratch& scratch) {
-    Seen s;
-    s.met = first_hit(*stage.program, picture_ray(stage, px, py), kInfinity, scratch, s.hit);
-    return s;
-}
-
-// Is one of the two far in front of the other's tangent plane, seen in pixels?
-bool stepped(const Stage& stage, const Hit& a, const Hit& b) {
-    constexpr double kMostPixels = 6;
-    const double pixel = 2 * stage.lens.half_height / stage.options.height * (stage.lens.orthographic ? 1 : std::min(a.end.t, b.end.t));
-    const Vec3 across = b.point - a.point;
-    return std::min(std::abs(glm::dot(across, a.end.normal)), std::abs(glm::dot(across, b.end.normal))) > kMostPixels * pixel;
-}
-
-bool differ(const Stage& stage, const Seen& a, const Seen& b) {
-    if (!a.met || !b.met) return a.met != b.met;
-    if (stepped(stage, a.hit, b.hit)) return true;
-    return a.hit.end.surface != b.hit.end.surface && glm::dot(a.hit.end.normal, b.hit.end.normal) < kFlatCosine;
-}
-
 }  // namespace
-
-bool on_edge(const Stage& stage, double px, double py, Scratch& scratch) {
-    constexpr double kHalf = 0.5;
-    if (differ(stage, seen_at(stage, px - kHalf, py - kHalf, scratch), seen_at(stage, px + kHalf, py + kHalf, scratch))) return true;
-    return differ(stage, seen_at(stage, px - kHalf, py + kHalf, scratch), seen_at(stage, px + kHalf, py - kHalf, scratch));
-}
 
 Ray picture_ray(const Stage& stage, double px, double py) {
     const double half = stage.options.height / 2.0;
@@ -95,17 +60,22 @@ double thickness_along(const Stage& stage, const Ray& ray, Scratch& scratch, Spa
     return total;
 }
 
-void fill_planes(const Stage& stage, int x, int y, Scratch& scratch, Film& film) {
-    const Ray ray = picture_ray(stage, x + 0.5, y + 0.5);
-    const Writer writer(film, film.index(x, y));
-    fill_nothing(writer);
-    Hit hit;
-    if (!first_hit(*stage.program, ray, kInfinity, scratch, hit)) return;
-    fill_hit(stage, hit, writer);
-    if ((film.aovs & (aov_bit(Aov::kSpans) | aov_bit(Aov::kThickness))) == 0) return;
+void fill_planes(const Stage& stage, const PixelPlace* pixels, int count, Scratch& scratch, Film& film) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) rays.push_back(picture_ray(stage, pixels[i].x + 0.5, pixels[i].y + 0.5));
+    std::vector<Hit> hits(rays.size());
+    const auto met = std::make_unique<bool[]>(rays.size());
+    first_hits(*stage.program, rays.data(), count, kInfinity, scratch, hits.data(), met.get());
     Spans spans;
-    writer.put(Aov::kThickness, thickness_along(stage, ray, scratch, spans));
-    writer.put(Aov::kSpans, static_cast<double>(spans.size()));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Writer writer(film, film.index(pixels[i].x, pixels[i].y));
+        fill_nothing(writer);
+        if (!met[i]) continue;
+        fill_hit(stage, hits[i], writer);
+        if ((film.aovs & (aov_bit(Aov::kSpans) | aov_bit(Aov::kThickness))) == 0) continue;
+        writer.put(Aov::kThickness, thickness_along(stage, rays[i], scratch, spans));
+        writer.put(Aov::kSpans, static_cast<double>(spans.size()));
+    }
 }
 
 }  // namespace whittle

@@ -1,9 +1,16 @@
 // tile.cpp — the pure function from (stage, tile, samples) to pixels.
+//
+// All pixels of a tile draw a sample together: their camera rays meet the solid as packets, in the order of 4 x 4 blocks, then each is shaded alone. A
+// pixel takes its samples by their numbers all the same, so the bits are those of one pixel after the other.
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
 
 #include <sleef.h>
 
 #include "tracer/image/tone.h"
+#include "tracer/light/edges.h"
 #include "tracer/light/integrator.h"
 #include "tracer/light/planes.h"
 
@@ -14,24 +21,10 @@ namespace {
 // What is left of the light on a drawn edge.
 constexpr double kEdgeShare = 0.06;
 
-// What the samples of one tile share.
-struct TileWork {
-    const Stage& stage;
-    Scratch& scratch;
-    Integration integration;
-    Spans spans;
-};
+// Side of the blocks that rays are ordered by: what lies together in the picture fills the lanes of a packet.
+constexpr int kBlock = 4;
 
-CameraLight xray_light(TileWork& work, const Ray& ray) {
-    const double thickness = thickness_along(work.stage, ray, work.scratch, work.spans);
-    const double share = Sleef_cinz_expd1_u10purec(-thickness / work.stage.thickness_scale);
-    return {Vec3(0.02, 0.05, 0.10) + share * Vec3(0.90, 0.90, 0.86), thickness > 0 ? 1.0 : 0.0};
-}
-
-CameraLight light_of(TileWork& work, const CameraSample& sample, const Sampler& sampler) {
-    if (work.stage.options.look == Look::kXray) return xray_light(work, sample.ray);
-    return work.integration.radiance(sample, sampler);
-}
+constexpr std::size_t kMostRays = MetTogether::kMost;
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -47,42 +40,104 @@ void add_sample(const CameraLight& light, double weight, PixelSums& sums) {
     ++sums.samples;
 }
 
-void draw_sample(TileWork& work, int x, int y, int index, PixelSums& sums) {
-    const Stage& stage = work.stage;
-    const Sampler sampler(stage.options.seed, x, y, static_cast<std::uint32_t>(index));
-    // A single sample stands in the middle, so that the picture is the one the planes show.
-    FilterSampler::Place place{Vec2(0), 1};
-    if (stage.options.samples > 1) place = stage.filter.place(sampler.pair(Draw::kPixel));
-    const double px = x + 0.5 + place.offset.x, py = y + 0.5 + place.offset.y;
-    CameraLight light = light_of(work, camera_sample(stage, x, y, index, px, py, sampler), sampler);
-    if (stage.options.edges && on_edge(stage, px, py, work.scratch)) light.radiance *= kEdgeShare;
-    add_sample(light, place.weight, sums);
+double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }
+
+std::vector<PixelPlace> pixels_by_blocks(TileRegion tile) {
+    std::vector<PixelPlace> pixels;
+    for (int by = 0; by < tile.height; by += kBlock)
+        for (int bx = 0; bx < tile.width; bx += kBlock)
+            for (int y = by; y < std::min(by + kBlock, tile.height); ++y)
+                for (int x = bx; x < std::min(bx + kBlock, tile.width); ++x) pixels.push_back({tile.x + x, tile.y + y});
+    return pixels;
 }
 
-double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }
+// Draws samples of pixels together, and holds the memory for it.
+class TileWork {
+public:
+    TileWork(const Stage& stage, Scratch& scratch, RenderCounters& counters)
+        : stage_(stage), scratch_(scratch), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr) {}
+
+    // Sample `index` of at most kMostRays pixels.
+    void draw(std::span<const PixelPlace> pixels, int index, Film& film) {
+        aim(pixels, index);
+        if (stage_.options.look == Look::kShaded) stage_.world.meet(rays_.data(), static_cast<int>(pixels.size()), scratch_, met_);
+        if (edges_) edges_->find(places_.data(), static_cast<int>(pixels.size()), edge_.data());
+        for (std::size_t k = 0; k < pixels.size(); ++k) {
+            CameraLight light = stage_.options.look == Look::kXray ? xray_light(rays_[k]) : light_of(k);
+            if (edges_ && edge_[k]) light.radiance *= kEdgeShare;
+            add_sample(light, weights_[k], film.pixels[film.index(pixels[k].x, pixels[k].y)]);
+        }
+    }
+
+private:
+    Sampler sampler_of(const CameraSample& s) const { return {stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index)}; }
+
+    void aim(std::span<const PixelPlace> pixels, int index) {
+        for (std::size_t k = 0; k < pixels.size(); ++k) {
+            const auto [x, y] = pixels[k];
+            const Sampler sampler(stage_.options.seed, x, y, static_cast<std::uint32_t>(index));
+            // A single sample stands in the middle, so that the picture is the one the planes show.
+            FilterSampler::Place place{Vec2(0), 1};
+            if (stage_.options.samples > 1) place = stage_.filter.place(sampler.pair(Draw::kPixel));
+            places_[k] = {x + 0.5 + place.offset.x, y + 0.5 + place.offset.y};
+            samples_[k] = camera_sample(stage_, x, y, index, places_[k].x, places_[k].y, sampler);
+            rays_[k] = samples_[k].ray;
+            weights_[k] = place.weight;
+        }
+    }
+
+    CameraLight light_of(std::size_t k) {
+        FirstBorder first;
+        first.met = stage_.world.first(rays_[k], met_, static_cast<int>(k), scratch_, first.border);
+        return integration_.radiance(samples_[k], sampler_of(samples_[k]), &first);
+    }
+
+    CameraLight xray_light(const Ray& ray) {
+        const double thickness = thickness_along(stage_, ray, scratch_, spans_);
+        const double share = Sleef_cinz_expd1_u10purec(-thickness / stage_.thickness_scale);
+        return {Vec3(0.02, 0.05, 0.10) + share * Vec3(0.90, 0.90, 0.86), thickness > 0 ? 1.0 : 0.0};
+    }
+
+    const Stage& stage_;
+    Scratch& scratch_;
+    Integration integration_;
+    Spans spans_;
+    std::unique_ptr<EdgeFinder> edges_;
+    MetTogether met_;
+    std::array<CameraSample, kMostRays> samples_;
+    std::array<Ray, kMostRays> rays_;
+    std::array<Vec2, kMostRays> places_;
+    std::array<double, kMostRays> weights_;
+    std::array<bool, kMostRays> edge_;
+};
+
+void copy_pixels(const Film& film, const std::vector<PixelPlace>& pixels, std::vector<PixelSums>& kept) {
+    for (const PixelPlace& p : pixels) kept.push_back(film.pixels[film.index(p.x, p.y)]);
+}
 
 }  // namespace
 
 bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film, const std::atomic<bool>* abort) {
+    const std::vector<PixelPlace> pixels = pixels_by_blocks(tile);
     std::vector<PixelSums> kept;
-    kept.reserve(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
-    TileWork work{stage, scratch, Integration(stage, scratch, counters), {}};
-    const bool planes = film.aovs != 0 && begin == 0;
+    copy_pixels(film, pixels, kept);
+    const auto work = std::make_unique<TileWork>(stage, scratch, counters);
     std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
-    for (int y = tile.y; y < tile.y + tile.height; ++y)
-        for (int x = tile.x; x < tile.x + tile.width; ++x) {
+    // What a pixel costs is seen only where it is drawn alone.
+    const std::size_t together = cost.empty() ? kMostRays : 1;
+    for (std::size_t at = 0; at < pixels.size(); at += together) {
+        const std::span<const PixelPlace> group(pixels.data() + at, std::min(together, pixels.size() - at));
+        const double before = work_done(scratch);
+        for (int i = begin; i < end; ++i) {
             if (abort && abort->load(std::memory_order_relaxed)) {
-                for (std::size_t i = 0; i < kept.size(); ++i)
-                    film.pixels[film.index(tile.x + static_cast<int>(i) % tile.width, tile.y + static_cast<int>(i) / tile.width)] = kept[i];
+                for (std::size_t k = 0; k < pixels.size(); ++k) film.pixels[film.index(pixels[k].x, pixels[k].y)] = kept[k];
                 return false;
             }
-            PixelSums& sums = film.pixels[film.index(x, y)];
-            kept.push_back(sums);
-            if (planes) fill_planes(stage, x, y, scratch, film);
-            const double before = work_done(scratch);
-            for (int i = begin; i < end; ++i) draw_sample(work, x, y, i, sums);
-            if (!cost.empty()) cost[film.index(x, y)] += static_cast<float>(work_done(scratch) - before);
+            work->draw(group, i, film);
         }
+        if (!cost.empty()) cost[film.index(group[0].x, group[0].y)] += static_cast<float>(work_done(scratch) - before);
+        if (film.aovs != 0 && begin == 0) fill_planes(stage, group.data(), static_cast<int>(group.size()), scratch, film);
+    }
     return true;
 }
 
