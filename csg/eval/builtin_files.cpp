@@ -1,9 +1,10 @@
-// Built-in modules that read fonts or files: known, written to .csg, not made into solids yet.
+// Built-in modules that name fonts or files: which file is meant is found here, it is read when the solid is made.
 #include <cctype>
 
 #include <fmt/format.h>
 
 #include "csg/eval/builtin_module_parts.h"
+#include "csg/eval/imports.h"
 #include "csg/eval/value_text.h"
 
 namespace whittle {
@@ -40,6 +41,8 @@ std::string script_of(const Value& given, const std::string& text) {
     return {};
 }
 
+bool is_true(const Value& v) { return v.is_bool() && v.boolean(); }
+
 }  // namespace
 
 Made make_text(ModuleUse& use) {
@@ -53,18 +56,35 @@ Made make_text(ModuleUse& use) {
 }
 
 Made make_import(ModuleUse& use) {
-    Vec2 origin{0};
-    read_vec2(use[3], origin);
+    scene::Import out;
     const Value& file = use[0].is_undef() ? use[7] : use[0];
     const Value& layer = use[1].is_undef() ? use[8] : use[1];
-    return scene::Unsupported{"import", fmt::format("import(file = \"{}\", layer = \"{}\", origin = [{:g}, {:g}], scale = {}, convexity = {}, {}, timestamp = 0)",
-                                                    text_or(file, ""), text_or(layer, ""), origin.x, origin.y, number_or(use[4], 1), read_convexity(use[2], 1),
-                                                    facets_text(use.machine))};
+    out.name = text_or(file, "");
+    out.layer = text_or(layer, "");
+    if (!out.name.empty()) out.path = use.machine.find_file(use.place, out.name);
+    read_vec2(use[3], out.origin);
+    if (double scale = 0; read_number(use[4], scale) && scale > 0) out.scale = scale;
+    out.center = is_true(use[9]);
+    if (double dpi = 0; read_number(use[10], dpi)) {
+        if (dpi > 0.001) out.dpi = dpi;
+        else use.machine.warn(use.place, fmt::format("Invalid dpi value giving for import of \"{}\": {:g}", out.name, dpi));
+    }
+    const std::string shown = out.name.empty() ? std::string() : use.machine.name_of_file(out.path);
+    const std::string sheet = suffix_of(out.path) == ".svg" ? fmt::format(", center = {}, dpi = {:g}", out.center, out.dpi) : std::string();
+    out.csg = fmt::format("import(file = \"{}\", layer = \"{}\", origin = [{:g}, {:g}]{}, scale = {}, convexity = {}, {}, timestamp = 0)", shown, out.layer,
+                          out.origin.x, out.origin.y, sheet, number_or(use[4], 1), read_convexity(use[2], 1), facets_text(use.machine));
+    return out;
 }
 
 Made make_surface(ModuleUse& use) {
-    const auto truth = [](const Value& v) { return v.is_bool() && v.boolean(); };
-    return scene::Unsupported{"surface", fmt::format("surface(file = \"{}\", center = {}, invert = {}, timestamp = 0)", text_or(use[0], ""), truth(use[1]), truth(use[3]))};
+    scene::Surface out;
+    out.name = text_or(use[0], "");
+    if (!out.name.empty()) out.path = use.machine.find_file(use.place, out.name);
+    out.center = is_true(use[1]);
+    out.invert = is_true(use[3]);
+    const std::string shown = out.name.empty() ? std::string() : use.machine.name_of_file(out.path);
+    out.csg = fmt::format("surface(file = \"{}\", center = {}, invert = {}, timestamp = 0)", shown, out.center, out.invert);
+    return out;
 }
 
 }  // namespace whittle

@@ -1,11 +1,13 @@
 // canonicaliser.h — the walk from scene to solid, shared by the files that make it; not for others.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "csg/eval/canonicalise.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/imported.h"
 
 namespace whittle {
 
@@ -60,6 +62,12 @@ private:
     Made primitive(const SceneNode& node, const scene::Quadric& what);
     Made primitive(const SceneNode& node, const scene::Capsule& what);
     Made primitive(const SceneNode& node, const scene::RoundCube& what);
+    // Files (canonicalise_imports.cpp).
+    Made primitive(const SceneNode& node, const scene::Import& what);
+    Made primitive(const SceneNode& node, const scene::Surface& what);
+    Made imported_mesh(const SceneNode& node, const scene::Import& what);
+    Made imported_drawing(const SceneNode& node, const scene::Import& what);
+    Made file_fault(const SceneNode& node, const std::string& module, const std::string& name, const Error& error);
     Made leaf(const SceneNode& node, Shape shape, const Placement& placement = {});
     bool is_positive(const SceneNode& node, const char* module, const char* what, double size);
 
@@ -95,6 +103,7 @@ private:
     bool something_left_out_ = false;
     int profile_depth_ = 0;        // inside an extrusion labels mean nothing
     std::vector<Use> ghosts_;      // what # and % show in a preview, in the frame of the node at work
+    std::map<std::string, ImportedMesh> imported_;  // by path: each file is read once
     int faceted_solids_ = 0;       // for the note: solids of many facets, and the largest $fn
     double largest_fn_ = 0;
 };

@@ -112,6 +112,8 @@ struct Head {
     std::string operator()(const scene::Projection& p) const { return fmt::format("projection(cut = {}, convexity = {})", p.cut, p.convexity); }
     std::string operator()(const scene::Part& p) const { return "part(\"" + p.name + "\")"; }
     std::string operator()(const scene::Moving& m) const { return "moving(" + matrix(m.start) + ", " + matrix(m.end) + ")"; }
+    std::string operator()(const scene::Import& i) const { return i.csg; }
+    std::string operator()(const scene::Surface& s) const { return s.csg; }
     std::string operator()(const scene::Unsupported& u) const { return u.csg; }
 
     static std::string matrix(const Placement& p) {

@@ -40,12 +40,12 @@ void empty_scene(Scene& scene) {
     scene.nodes.push_back(std::move(root));
 }
 
-void run_program(const Parsed& parsed, const EvaluateInput& input, Heap& heap, Evaluated& out) {
+void run_program(const Parsed& parsed, const EvaluateInput& input, Outside& outside, Heap& heap, Evaluated& out) {
     // Names of built-ins join those of the text: a copy keeps the parsed program constant.
     Names names;
     for (NameId i = 1; i < parsed.program->names.size(); ++i) names.intern(parsed.program->names.text(i));
     const code::Program program = lower(parsed.program->files, names, heap);
-    Machine machine(program, names, heap, input, out.diagnostics);
+    Machine machine(program, names, heap, input, out.diagnostics, {outside, out.sources, out.files_read});
     out.scene = Scene{};
     out.stop = machine.run(out.scene);
     heap.break_cycles();
@@ -54,7 +54,6 @@ void run_program(const Parsed& parsed, const EvaluateInput& input, Heap& heap, E
 }  // namespace
 
 Evaluated evaluate(Parsed parsed, const EvaluateInput& input, Outside& outside) {
-    (void)outside;
     Evaluated out;
     out.sources = std::move(parsed.sources);
     out.diagnostics = std::move(parsed.diagnostics);
@@ -68,7 +67,7 @@ Evaluated evaluate(Parsed parsed, const EvaluateInput& input, Outside& outside) 
         Heap heap;
         heap.set_limit(input.limits.memory_bytes);
         try {
-            run_program(parsed, input, heap, out);
+            run_program(parsed, input, outside, heap, out);
         } catch (const std::bad_alloc&) {
             out.diagnostics.add(Severity::kError, {}, "Evaluation ran out of memory");
             out.stop = Stop::kMemory;

@@ -9,8 +9,8 @@ namespace whittle {
 
 using namespace code;
 
-Machine::Machine(const Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics)
-    : program_(program), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), cells_(program.dynamics.size(), Value::unset()) {
+Machine::Machine(const Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics, const RunFiles& files)
+    : program_(program), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), files_(files), cells_(program.dynamics.size(), Value::unset()) {
     cells_[kFn] = Value(0.0);
     cells_[kFa] = Value(12.0);
     cells_[kFs] = Value(2.0);

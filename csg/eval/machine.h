@@ -31,9 +31,16 @@ struct ModuleCall {
     Frame* caller = nullptr;
 };
 
+// The files of a run: where built-ins find what the author names, and the list of what was read.
+struct RunFiles {
+    Outside& outside;
+    const SourceTable& sources;
+    std::vector<std::string>& read;
+};
+
 class Machine {
 public:
-    Machine(const code::Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics);
+    Machine(const code::Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics, const RunFiles& files);
 
     // Runs the main file. The scene is empty after a stop.
     Stop run(Scene& scene);
@@ -53,6 +60,12 @@ public:
     [[noreturn]] void fail(SourcePlace place, std::string text, std::string hint = {});
     std::string text_of(const Value& value) const;
     std::string bare_text_of(const Value& value) const;
+    Outside& outside() { return files_.outside; }
+    // The path of a file that a call at `place` names: beside the text of the call, else beside the main file, else in the libraries; where there is
+    // none, beside the text. It joins the list of files read.
+    std::string find_file(SourcePlace place, std::string_view name);
+    // How a .csg file calls it: relative to the main file's folder.
+    std::string name_of_file(const std::string& path) const;
     // Checks limits now and then: call it in every loop of unbounded length.
     void tick() {
         if (++ticks_ % 1024 == 0) check_limits();
@@ -155,6 +168,7 @@ private:
     Heap& heap_;
     const EvaluateInput& input_;
     Diagnostics& diagnostics_;
+    RunFiles files_;
     RandomNumbers random_;
     std::vector<Value> cells_;                              // $-variables
     std::vector<std::pair<std::uint32_t, Value>> trail_;    // what they were

@@ -57,13 +57,18 @@ struct Projection { bool cut = false; int convexity = 0; };
 struct Part { std::string name; };
 struct Moving { Placement start, end; };
 
+// A mesh or drawing of a file; `path` as it was found. `csg` is how a .csg file writes it. The file is read when the solid is made.
+struct Import { std::string path, name, layer; Vec2 origin{0}; double scale = 1; bool center = false; double dpi = 72; std::string csg; };
+// Heights of a file, on the unit grid.
+struct Surface { std::string path, name; bool center = false, invert = false; std::string csg; };
+
 // A module that is known but cannot be made into a solid yet: kept in the tree so that it can be said with its place.
 // `csg` is how a .csg file writes it, without children.
 struct Unsupported { std::string name; std::string csg; };
 
 using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
                           Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Matter, LinearExtrude, RotateExtrude, Render, Resize, Offset,
-                          Projection, Part, Moving, Unsupported>;
+                          Projection, Part, Moving, Import, Surface, Unsupported>;
 
 }  // namespace scene
 

@@ -1,0 +1,287 @@
+// drawn_set.cpp — drawings as 2D sets. A contour with arcs is the polygon of its chords, united with the circular segments that bulge out of it and less those
+// that bulge into it; arcs are halved until no segment reaches another side, so that this is the set itself.
+#include <algorithm>
+#include <cmath>
+
+#include "csg/base/degrees.h"
+#include "csg/eval/imports.h"
+#include "csg/solid/facets.h"
+#include "csg/solid/profile.h"
+
+namespace whittle {
+namespace {
+
+// Halvings of an arc at most: pieces of a 64th of it.
+constexpr int kMostHalvings = 6;
+
+// A side with both ends: straight where bulge is 0.
+struct Side {
+    Vec2 a, b;
+    double bulge = 0;
+    int halvings = 0;
+};
+using Sides = std::vector<Side>;
+
+Vec2 right_of(Vec2 v) { return {v.y, -v.x}; }
+double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+double radius_of(const Side& s) { return glm::length(s.b - s.a) * (1 + s.bulge * s.bulge) / (4 * std::fabs(s.bulge)); }
+// From the chord to the arc's middle: an arc that turns left bulges to the right.
+Vec2 rise_of(const Side& s) { return right_of(s.b - s.a) * (s.bulge / 2); }
+Vec2 middle_of(const Side& s) { return (s.a + s.b) / 2.0 + rise_of(s); }
+Vec2 centre_of(const Side& s) { return (s.a + s.b) / 2.0 - right_of(s.b - s.a) * ((1 - s.bulge * s.bulge) / (4 * s.bulge)); }
+
+std::pair<Side, Side> halves_of(const Side& s) {
+    const double half = s.bulge / (1 + std::sqrt(1 + s.bulge * s.bulge));  // tan of half the angle
+    const Vec2 m = middle_of(s);
+    return {{s.a, m, half, s.halvings + 1}, {m, s.b, half, s.halvings + 1}};
+}
+
+Vec2 bezier_point(const Vec2& start, const DrawnSide& side, double t) {
+    std::array<Vec2, 4> p{start, side.p[0], side.p[1], side.p[2]};
+    for (int n = side.degree; n > 0; --n)
+        for (int i = 0; i < n; ++i) p[static_cast<std::size_t>(i)] = glm::mix(p[static_cast<std::size_t>(i)], p[static_cast<std::size_t>(i + 1)], t);
+    return p[0];
+}
+
+// Chords that keep within the tolerance: the second differences bound how far a curve is from its chords.
+int chords_of(const Vec2& start, const DrawnSide& side, double tolerance) {
+    const std::array<Vec2, 4> p{start, side.p[0], side.p[1], side.p[2]};
+    double bend = 0;
+    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(side.degree); ++i) bend = std::max(bend, glm::length(p[i] - 2.0 * p[i + 1] + p[i + 2]));
+    constexpr double kMostChords = 4096;
+    const double n = std::sqrt(side.degree * (side.degree - 1) * bend / (8 * tolerance));
+    return static_cast<int>(std::clamp(std::ceil(n), 1.0, kMostChords));
+}
+
+class Drawer {
+public:
+    Drawer(SolidBuilder& builder, const Drawing& drawing, const FacetsOfCircle& facets) : builder_(builder), drawing_(drawing), facets_(facets) {
+        Vec2 lo(HUGE_VAL), hi(-HUGE_VAL);
+        for (const auto& figure : drawing.figures)
+            for (const auto& contour : figure.contours)
+                for (const auto& side : contour.sides) lo = glm::min(lo, side.end()), hi = glm::max(hi, side.end());
+        size_ = drawing.figures.empty() ? 0 : glm::length(hi - lo);
+    }
+
+    Use set() {
+        std::vector<Use> figures;
+        for (const auto& figure : drawing_.figures)
+            if (const Use use = figure_set(figure); use.node != kEmptyNode) figures.push_back(use);
+        return of(SetOp::kUnion, std::move(figures));
+    }
+
+private:
+    Use of(SetOp op, std::vector<Use> operands) {
+        if (operands.size() == 1) return operands[0];
+        Use use;
+        use.node = builder_.combine(op, std::move(operands));
+        return use;
+    }
+    Use of(Shape shape, const Placement& placement = {}) {
+        Use use;
+        use.node = builder_.shape(std::move(shape));
+        use.placement = placement;
+        return use;
+    }
+
+    Sides sides_of(const DrawnContour& contour) const {
+        Sides out;
+        Vec2 at = contour.start;
+        const auto line_to = [&](Vec2 to) {
+            if (to != at) out.push_back({at, to, 0, 0});
+            at = to;
+        };
+        for (const DrawnSide& side : contour.sides) {
+            const Side arc{at, side.end(), side.bulge, 0};
+            if (side.degree > 1) {
+                const int asked = facets_(size_);
+                const int n = asked > 0 ? std::max(2, asked / 8 + 1) : chords_of(at, side, size_ * kProfileTolerance / 8);
+                const Vec2 start = at;
+                for (int i = 1; i <= n; ++i) line_to(i == n ? side.end() : bezier_point(start, side, 1.0 * i / n));
+            } else if (side.bulge == 0 || arc.a == arc.b) {
+                line_to(side.end());
+            } else if (const int n = facets_(radius_of(arc)); n > 0) {
+                add_chords(arc, n, line_to);
+            } else {
+                add_arc(out, arc);
+                at = side.end();
+            }
+        }
+        line_to(contour.start);
+        return out;
+    }
+
+    // Halved until a piece turns by 90 degrees at most.
+    static void add_arc(Sides& out, const Side& arc) {
+        if (std::fabs(arc.bulge) <= std::sqrt(2.0) - 1 + 0x1p-40) {
+            out.push_back({arc.a, arc.b, arc.bulge, 0});
+            return;
+        }
+        const auto [first, second] = halves_of(arc);
+        add_arc(out, first);
+        add_arc(out, second);
+    }
+    template <class LineTo>
+    static void add_chords(const Side& arc, int around, LineTo line_to) {
+        const double angle_deg = 4 * std::atan(arc.bulge) / kRadiansPerDegree;
+        const int n = std::max(1, static_cast<int>(std::ceil(around * std::fabs(angle_deg) / 360)));
+        const Vec2 c = centre_of(arc), from = arc.a - c;
+        for (int i = 1; i < n; ++i) {
+            const double turn = angle_deg * i / n;
+            line_to(c + Vec2(from.x * cosd(turn) - from.y * sind(turn), from.x * sind(turn) + from.y * cosd(turn)));
+        }
+        line_to(arc.b);
+    }
+
+    // A contour of arcs about one centre, all turning one way: the disc it is.
+    std::optional<std::pair<Vec2, double>> circle_of(const DrawnContour& contour) const {
+        if (contour.sides.size() < 2) return std::nullopt;
+        Vec2 at = contour.start, centre(0);
+        double turned = 0, radius = 0;
+        for (std::size_t i = 0; i < contour.sides.size(); ++i) {
+            const DrawnSide& side = contour.sides[i];
+            const Side arc{at, side.end(), side.bulge, 0};
+            if (side.degree > 1 || side.bulge == 0 || arc.a == arc.b) return std::nullopt;
+            if (i == 0) centre = centre_of(arc), radius = radius_of(arc);
+            // Centres and radii of arcs of one circle differ by the rounding of their ends.
+            if (glm::length(centre_of(arc) - centre) + std::fabs(radius_of(arc) - radius) > 0x1p-44 * (glm::length(centre) + radius)) return std::nullopt;
+            turned += 4 * std::atan(side.bulge);
+            at = side.end();
+        }
+        constexpr double kTurn = 6.283185307179586;
+        if (at != contour.start || std::fabs(std::fabs(turned) - kTurn) > 0x1p-40) return std::nullopt;
+        return std::pair(centre, radius);
+    }
+
+    Use figure_set(const DrawnFigure& figure) {
+        std::vector<Sides> contours;
+        std::vector<Use> discs;
+        for (const auto& contour : figure.contours) {
+            const auto circle = circle_of(contour);
+            if (circle && facets_(circle->second) == 0 && figure.contours.size() == 1)
+                return of(shape::Disc{circle->second}, Placement::translation({circle->first.x, circle->first.y, 0}));
+            Sides sides = sides_of(contour);
+            if (sides.size() >= 2) contours.push_back(std::move(sides));
+        }
+        if (contours.empty()) return {};
+        if (figure.contours.size() == 2 && contours.size() == 2)
+            if (const auto ring = ring_of(figure)) return *ring;
+        part(contours);
+        return set_of(contours);
+    }
+
+    // Two full circles, one in the other.
+    std::optional<Use> ring_of(const DrawnFigure& figure) {
+        auto a = circle_of(figure.contours[0]), b = circle_of(figure.contours[1]);
+        if (!a || !b || facets_(a->second) > 0 || facets_(b->second) > 0) return std::nullopt;
+        if (a->second < b->second) std::swap(a, b);
+        if (!(glm::length(a->first - b->first) + b->second < a->second)) return std::nullopt;
+        const auto disc = [&](const auto& circle) { return of(shape::Disc{circle.second}, Placement::translation({circle.first.x, circle.first.y, 0})); };
+        return of(SetOp::kDifference, {disc(*a), disc(*b)});
+    }
+
+    // The box around a side along its chord, and whether it meets another's: by the four directions of the two boxes.
+    static std::array<Vec2, 4> box_of(const Side& s) { return {s.a, s.b, s.b + rise_of(s), s.a + rise_of(s)}; }
+    static bool apart(const std::array<Vec2, 4>& p, const std::array<Vec2, 4>& q, Vec2 direction) {
+        double p_lo = HUGE_VAL, p_hi = -HUGE_VAL, q_lo = HUGE_VAL, q_hi = -HUGE_VAL;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double x = glm::dot(p[i], direction), y = glm::dot(q[i], direction);
+            p_lo = std::min(p_lo, x), p_hi = std::max(p_hi, x), q_lo = std::min(q_lo, y), q_hi = std::max(q_hi, y);
+        }
+        return p_hi < q_lo || q_hi < p_lo;
+    }
+    static bool may_meet(const Side& s, const Side& t) {
+        const auto p = box_of(s), q = box_of(t);
+        for (const Side* side : {&s, &t}) {
+            const Vec2 along = side->b - side->a;
+            if (apart(p, q, along) || apart(p, q, right_of(along))) return false;
+        }
+        return true;
+    }
+
+    // Halves every arc whose segment may reach a side that is not its neighbour.
+    static void part(std::vector<Sides>& contours) {
+        for (int round = 0; round < kMostHalvings; ++round) {
+            bool parted = false;
+            const std::vector<Sides> now = contours;
+            for (std::size_t c = 0; c < now.size(); ++c) {
+                contours[c].clear();
+                for (std::size_t i = 0; i < now[c].size(); ++i) {
+                    if (now[c][i].bulge == 0 || !meets_others(now, c, i)) {
+                        contours[c].push_back(now[c][i]);
+                        continue;
+                    }
+                    const auto [first, second] = halves_of(now[c][i]);
+                    contours[c].push_back(first);
+                    contours[c].push_back(second);
+                    parted = true;
+                }
+            }
+            if (!parted) return;
+        }
+    }
+    static bool meets_others(const std::vector<Sides>& contours, std::size_t c, std::size_t i) {
+        const std::size_t n = contours[c].size();
+        for (std::size_t d = 0; d < contours.size(); ++d)
+            for (std::size_t k = 0; k < contours[d].size(); ++k) {
+                if (d == c && (k == i || k == (i + 1) % n || k == (i + n - 1) % n)) continue;
+                if (may_meet(contours[c][i], contours[d][k])) return true;
+            }
+        return false;
+    }
+
+    // Is a point just right of the chord's middle inside the polygon of all chords?
+    static bool inside_right_of(const std::vector<Sides>& contours, const Side& s) {
+        const Vec2 m = (s.a + s.b) / 2.0, out = right_of(s.b - s.a);
+        bool inside = false;
+        for (const Sides& sides : contours)
+            for (const Side& t : sides) {
+                if (&t == &s) continue;
+                // Crossed by the half-line from m along `out`?
+                const double ha = cross(out, t.a - m), hb = cross(out, t.b - m);
+                if ((ha < 0) == (hb < 0)) continue;
+                const double at = glm::dot(t.a - m, out) + (glm::dot(t.b - m, out) - glm::dot(t.a - m, out)) * (ha / (ha - hb));
+                inside ^= at > 0;
+            }
+        return inside;
+    }
+
+    Use set_of(const std::vector<Sides>& contours) {
+        auto polygon = std::make_shared<Contours>();
+        std::vector<Use> more{{}}, less{{}};
+        for (const Sides& sides : contours) {
+            if (sides.size() >= 3) {
+                auto& points = polygon->emplace_back();
+                for (const Side& s : sides) points.push_back(s.a);
+            }
+            for (const Side& s : sides) {
+                if (s.bulge == 0) continue;
+                const Side outward = s.bulge > 0 ? s : Side{s.b, s.a, -s.bulge, 0};
+                (inside_right_of(contours, s) == (s.bulge > 0) ? less : more).push_back(segment(outward));
+            }
+        }
+        if (!polygon->empty()) more[0] = of(shape::Polygon{std::move(polygon)});
+        else more.erase(more.begin());
+        less[0] = of(SetOp::kUnion, std::move(more));
+        return less.size() == 1 ? less[0] : of(SetOp::kDifference, std::move(less));
+    }
+
+    // Between the chord and the arc right of it; the strip around it is twice as high, so that only the chord and the arc bound it.
+    Use segment(const Side& s) {
+        const Vec2 rise = 2.0 * rise_of(s), c = centre_of(s);
+        const Use strip = of(shape::Polygon{std::make_shared<const Contours>(Contours{{s.a, s.a + rise, s.b + rise, s.b}})});
+        return of(SetOp::kIntersection, {of(shape::Disc{radius_of(s)}, Placement::translation({c.x, c.y, 0})), strip});
+    }
+
+    SolidBuilder& builder_;
+    const Drawing& drawing_;
+    const FacetsOfCircle& facets_;
+    double size_ = 0;
+};
+
+}  // namespace
+
+Use drawn_set(SolidBuilder& builder, const Drawing& drawing, const FacetsOfCircle& facets) { return Drawer(builder, drawing, facets).set(); }
+
+}  // namespace whittle
