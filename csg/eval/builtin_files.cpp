@@ -1,6 +1,4 @@
-// Built-in modules that name fonts or files: which file is meant is found here, it is read when the solid is made.
-#include <cctype>
-
+// Built-in modules that name files: which file is meant is found here, it is read when the solid is made.
 #include <fmt/format.h>
 
 #include "csg/eval/builtin_module_parts.h"
@@ -23,37 +21,9 @@ std::string facets_text(const Machine& machine) {
     return fmt::format("$fn = {:g}, $fa = {:g}, $fs = {:g}", f.fn, f.fa, f.fs);
 }
 
-// ISO 15924 code of the script: as given, its first four letters; else guessed from the letters. Empty where there are none.
-std::string script_of(const Value& given, const std::string& text) {
-    if (given.is_string() && given.string().size() >= 4) {
-        std::string code(given.string().substr(0, 4));
-        for (std::size_t i = 0; i < code.size(); ++i) code[i] = static_cast<char>(i == 0 ? std::toupper(code[i]) : std::tolower(code[i]));
-        return code;
-    }
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const unsigned char c = static_cast<unsigned char>(text[i]);
-        if (std::isalpha(c) || (c >= 0xC3 && c <= 0xC9)) return "Latn";
-        if (c >= 0xCD && c <= 0xCF) return "Grek";
-        if (c >= 0xD0 && c <= 0xD3) return "Cyrl";
-        if (c >= 0xD6 && c <= 0xD7) return "Hebr";
-        if (c >= 0xD8 && c <= 0xDB) return "Arab";
-    }
-    return {};
-}
-
 bool is_true(const Value& v) { return v.is_bool() && v.boolean(); }
 
 }  // namespace
-
-Made make_text(ModuleUse& use) {
-    const std::string text = text_or(use[0], ""), script = script_of(use[5], text);
-    const char* direction = script == "Hebr" || script == "Arab" ? "rtl" : "ltr";
-    std::string csg = fmt::format("text(text = \"{}\", size = {}, spacing = {}, font = \"{}\", direction = \"{}\", language = \"{}\"", text, number_or(use[1], 10),
-                                  number_or(use[8], 1), text_or(use[2], ""), text_or(use[3], direction), text_or(use[4], "en"));
-    if (!script.empty()) csg += ", script = \"" + script + "\"";
-    csg += fmt::format(", halign = \"{}\", valign = \"{}\", {})", text_or(use[6], "left"), text_or(use[7], "baseline"), facets_text(use.machine));
-    return scene::Unsupported{"text", csg};
-}
 
 Made make_import(ModuleUse& use) {
     scene::Import out;

@@ -68,6 +68,7 @@ private:
     Made imported_mesh(const SceneNode& node, const scene::Import& what);
     Made imported_drawing(const SceneNode& node, const scene::Import& what);
     Made file_fault(const SceneNode& node, const std::string& module, const std::string& name, const Error& error);
+    Made primitive(const SceneNode& node, const scene::Text& what);
     Made leaf(const SceneNode& node, Shape shape, const Placement& placement = {});
     bool is_positive(const SceneNode& node, const char* module, const char* what, double size);
 

@@ -31,16 +31,19 @@ enum class Op : std::uint8_t {
     kUnary,     // a, b: ast::Op
     kBinary,    // a, b, c: ast::Op
     kAdd, kSubtract, kMultiply, kDivide, kLess, kLessEqual, kGreater, kGreaterEqual, kEqual, kNotEqual,  // a, b: the common ones of kBinary
-    kIndex, kMember,
+    kIndex,
+    kElement,   // a, b: index 0 to 2: .x .y .z
+    kMember,    // a, b: NameId
     kVector,    // a: first of `lists`, b: count; elements are plain
     kElements,  // likewise; elements may be generators
     kRange,     // a: begin, b: step or kNone, c: end
     kLet,       // a: body, b: first of `binds`, c: count
+    kLetDynamic,  // likewise, where a $-variable is among them
     kFrame,     // a: body, b: index into frame_sizes: a scope with a frame of its own
     kAssert, kEcho,  // a: body or kNone, b: first of `arguments`, c: count
     kFunction,  // a: function
     kCall,      // a: call
-    kTailCall,  // a: call of the function itself, in tail position
+    kTailCall,  // a: call of the function itself, in tail position: ends the evaluation of the body
     kCallValue, // a: value call
     kBuiltin,   // a: builtin, b: first of `lists`, c: count
     kUnknownFunction,  // a: NameId
@@ -111,6 +114,8 @@ struct Passed {
 struct Matched {
     std::vector<Passed> passed;            // in the order of evaluation
     std::vector<std::string> complaints;   // warnings
+    struct Default { std::uint32_t slot; TermId value; };
+    std::vector<Default> defaults;         // of a plain call: the parameters that are not given
     std::uint64_t given = 0;               // which of the first 64 parameters
 };
 
@@ -126,6 +131,7 @@ struct Call {
     Home home;
     Matched matched;
     bool sets_dynamic = false;
+    bool plain = false;  // neither complaints nor $-variables nor a used file's frame nor defaults that do something
 };
 
 // Call of whatever value the callee has. Where that is no function, the name may still be that of a function or a built-in.

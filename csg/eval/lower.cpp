@@ -5,6 +5,7 @@
 
 #include "csg/eval/builtin.h"
 #include "csg/eval/lower_state.h"
+#include "csg/eval/match_arguments.h"
 
 namespace whittle {
 
@@ -50,6 +51,7 @@ Program Lowering::run() {
         define(root, scopes[file_]);
         out_.files[file_].body = lower_body(root, scopes[file_]);
     }
+    prepare_calls();
     return std::move(out_);
 }
 
@@ -278,52 +280,29 @@ std::optional<Lowering::Found> Lowering::find_definition(NameId name, const Lexi
     return std::nullopt;
 }
 
-// Arguments to parameters, left to right: a name binds its parameter, an unnamed one the next position, counting only unnamed ones. OpenSCAD evaluates
-// them in the order of its hash map of names, which shows when arguments echo; a map of the same library, filled in the same order, has the same order.
 Matched Lowering::match(ast::ArgumentRange range, const std::vector<Parameter>& parameters, const Layout& layout, std::size_t positional,
                         LexicalScope& scope) {
-    Matched out;
-    std::unordered_map<std::string, Passed> by_name;
-    std::size_t next = 0;
-    bool too_many = false;
-    for (std::uint32_t i = 0; i < range.count; ++i) {
-        NameId name = argument(range, i).name;
-        const auto same = [&](const Parameter& p) { return p.name == name; };
-        if (name == kNoName) {
-            if (next >= positional) {
-                if (!too_many) out.complaints.push_back("Too many unnamed arguments supplied");
-                too_many = true;
-                continue;
-            }
-            name = parameters[next++].name;
-        } else {
-            if (!names_.is_dynamic(name) && std::none_of(parameters.begin(), parameters.end(), same))
-                out.complaints.push_back("variable " + names_.text(name) + " not specified as parameter");
-            if (by_name.count(names_.text(name))) out.complaints.push_back("argument " + names_.text(name) + " supplied more than once");
-        }
-        Passed passed;
-        passed.value = i;
-        const auto found = std::find_if(parameters.begin(), parameters.end(), same);
-        const auto extra = std::find_if(layout.extras.begin(), layout.extras.end(), [&](const Layout::Extra& e) { return e.name == name; });
-        if (found != parameters.end()) {
-            passed.to = found->dynamic ? Passed::To::kDynamic : Passed::To::kParameter;
-            passed.target = found->target;
-            passed.parameter = static_cast<std::uint32_t>(found - parameters.begin());
-        } else if (names_.is_dynamic(name)) {
-            passed.to = Passed::To::kDynamic;
-            passed.target = dynamic(name);
-        } else if (extra != layout.extras.end()) {
-            passed.to = Passed::To::kSlot;
-            passed.target = extra->slot;
-        }
-        by_name[names_.text(name)] = passed;
-    }
-    for (auto& [name, passed] : by_name) {
-        passed.value = lower(argument(range, passed.value).value, scope);
-        out.passed.push_back(passed);
-        if (passed.to == Passed::To::kParameter && passed.parameter < 64) out.given |= std::uint64_t{1} << passed.parameter;
-    }
+    std::vector<NameId> given;
+    for (std::uint32_t i = 0; i < range.count; ++i) given.push_back(argument(range, i).name);
+    Matched out = match_arguments(given, {parameters, layout, positional}, names_, [this](NameId name) { return dynamic(name); });
+    for (Passed& passed : out.passed) passed.value = lower(argument(range, passed.value).value, scope);
     return out;
+}
+
+// What each call of a function needs beyond its arguments, once all defaults are known.
+void Lowering::prepare_calls() {
+    for (Call& call : out_.calls) {
+        const Function& f = out_.functions[call.function];
+        Matched& matched = call.matched;
+        call.plain = !call.sets_dynamic && matched.complaints.empty() && call.home.library == code::kNone && f.parameters.size() <= 64;
+        for (std::size_t i = 0; i < f.parameters.size() && call.plain; ++i) {
+            const Parameter& p = f.parameters[i];
+            if (p.constant && (matched.given >> i & 1)) continue;
+            if (!p.constant) call.plain = false;
+            else matched.defaults.push_back({p.target, p.value});
+        }
+        for (const Passed& p : matched.passed) call.plain &= p.to == Passed::To::kParameter || p.to == Passed::To::kSlot;
+    }
 }
 
 }  // namespace whittle

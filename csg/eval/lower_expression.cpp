@@ -74,7 +74,12 @@ TermId Lowering::lower(ast::ExprId id, LexicalScope& scope, bool tail) {
             const TermId list = lower(e.a, scope);
             return node(Op::kIndex, e.place, list, lower(e.b, scope));
         }
-        case ExprKind::kMember: return node(Op::kMember, e.place, lower(e.a, scope), e.b);
+        case ExprKind::kMember: {
+            const std::string& name = names_.text(e.b);
+            const bool axis = name.size() == 1 && name[0] >= 'x' && name[0] <= 'z';
+            const TermId whole = lower(e.a, scope);
+            return axis ? node(Op::kElement, e.place, whole, static_cast<std::uint32_t>(name[0] - 'x')) : node(Op::kMember, e.place, whole, e.b);
+        }
         case ExprKind::kVector: return lower_vector(e, scope);
         case ExprKind::kRange: {
             const TermId begin = lower(e.a, scope);
@@ -178,6 +183,7 @@ TermId Lowering::lower_let(const Expr& e, LexicalScope& scope, bool tail, Op op)
     const std::vector<Bind> binds = lower_binds(range, inside, true);
     const bool dynamic_bound = std::any_of(binds.begin(), binds.end(), [](const Bind& b) { return b.kind == BindKind::kDynamic; });
     const TermId body = lower(e.a, inside, tail && !dynamic_bound);
+    if (op == Op::kLet && dynamic_bound) op = Op::kLetDynamic;
     const std::uint32_t first = static_cast<std::uint32_t>(out_.binds.size());
     out_.binds.insert(out_.binds.end(), binds.begin(), binds.end());
     const TermId made = node(op, e.place, body, first, static_cast<std::uint32_t>(binds.size()));
@@ -281,6 +287,8 @@ TermId Lowering::lower_value_call(const Expr& e, TermId callee, NameId name, Lex
     call.name = name;
     call.callee = callee;
     call.arguments = lower_argument_list({e.b, e.c}, scope);
+    for (const Argument& a : call.arguments)
+        if (names_.is_dynamic(a.name)) dynamic(a.name);
     silence(callee);
     if (name != kNoName) {
         if (const std::optional<Found> found = find_definition(name, scope, false)) {

@@ -36,6 +36,7 @@ public:
 
 private:
     void scan_calls();
+    void prepare_calls();
     void find_literals(const ast::Ast& ast);
     void lower_file(std::uint32_t file);
     void declare(const ast::Scope& scope, LexicalScope& into);

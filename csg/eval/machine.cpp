@@ -10,7 +10,8 @@ namespace whittle {
 using namespace code;
 
 Machine::Machine(const Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics, const RunFiles& files)
-    : program_(program), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), files_(files), cells_(program.dynamics.size(), Value::unset()) {
+    : program_(program), terms_(program.terms.data()), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), files_(files), cells_(program.dynamics.size(), Value::unset()),
+      last_matches_(program.value_calls.size()) {
     cells_[kFn] = Value(0.0);
     cells_[kFa] = Value(12.0);
     cells_[kFs] = Value(2.0);
@@ -95,11 +96,15 @@ void Machine::check_limits() {
 
 std::string Machine::text_of(const Value& value) const {
     std::string out;
+    append_text(out, value);
+    return out;
+}
+
+void Machine::append_text(std::string& out, const Value& value) const {
     append_value(out, value, [this](std::string& text, std::uint32_t index) {
         const code::Function& f = program_.functions[index];
         print_expression(text, *f.ast, f.literal, names_, append_number);
     });
-    return out;
 }
 
 std::string Machine::bare_text_of(const Value& value) const { return value.is_string() ? std::string(value.string()) : text_of(value); }

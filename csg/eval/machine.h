@@ -7,6 +7,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ public:
     void say(Severity severity, SourcePlace place, std::string text, std::string hint = {});
     [[noreturn]] void fail(SourcePlace place, std::string text, std::string hint = {});
     std::string text_of(const Value& value) const;
+    void append_text(std::string& out, const Value& value) const;
     std::string bare_text_of(const Value& value) const;
     Outside& outside() { return files_.outside; }
     // The path of a file that a call at `place` names: beside the text of the call, else beside the main file, else in the libraries; where there is
@@ -76,11 +78,21 @@ private:
 
     // Expressions (run_expression.cpp).
     Value eval(TermId id, Frame* frame);
-    Value eval_slow(const code::Term& node, TermId id, Frame* frame);
+    const Value& operand(TermId id, Frame* frame, Value& hold);
+    bool truth(TermId id, Frame* frame);
+    Value eval_arithmetic(const code::Term& term, TermId id, Frame* frame);
+    Value eval_comparison(const code::Term& term, TermId id, Frame* frame);
+    Value eval_index(const code::Term& term, Frame* frame);
+    Value eval_vector(const code::Term& term, TermId id, Frame* frame);
+    Value eval_builtin(const code::Term& term, TermId id, Frame* frame);
+    template <std::size_t Count>
+    Value eval_builtin_of(const code::Term& term, TermId id, Frame* frame);
+    Value eval_slow(const code::Term& term, TermId id, Frame* frame);
     [[noreturn]] void fail_too_nested(TermId id);
     Value eval_binary(ast::Op op, const Value& left, const Value& right, TermId id);
     Value eval_range(const code::Term& node, TermId id, Frame* frame);
-    Value eval_member(const code::Term& node, Frame* frame);
+    Value eval_member(const code::Term& term, Frame* frame);
+    Value swizzle(const Value& vector, const std::string& name);
     Value eval_dynamic(const code::Term& node, TermId id);
     void bind(const code::Bind& bind, Value value, Frame* frame);
     void bind_all(std::uint32_t first, std::uint32_t count, Frame* frame);
@@ -100,15 +112,16 @@ private:
     void for_values(const Value& values, std::uint32_t limit, SourcePlace place, Body body);
 
     // Calls (run_call.cpp).
-    Value call_function(const code::Call& call, Frame* frame, SourcePlace place);
+    Value call_function(const code::Call& call, Frame* frame, TermId id);
+    Frame* next_frame(const code::Call& call, Frame* frame, TermId id);
+    Value run_tail_calls(const code::Function& function, NameId name);
     Value call_value(TermId id, Frame* frame);
-    Value run_function(std::uint32_t function, Frame* home, Frame* frame, NameId name);
-    Value call_builtin(std::uint32_t builtin, std::vector<Value>& arguments, std::vector<std::string_view>& names, SourcePlace place);
+    const code::Matched& matched_values(std::uint32_t which, std::uint32_t function);
+    Value call_builtin(std::uint32_t builtin, std::span<Value> arguments, SourcePlace place);
     Frame* home_frame(const code::Home& home, Frame* frame);
     void set_defaults(const std::vector<code::Parameter>& parameters, const code::Matched& matched, Frame* home, Frame* into);
     void set_dynamic_defaults(const std::vector<code::Parameter>& parameters, Frame* home);
     void pass_arguments(const code::Matched& matched, Frame* caller, Frame* into, SourcePlace place);
-    code::Matched match_values(const std::vector<code::Argument>& arguments, const std::vector<code::Parameter>& parameters, const code::Layout& layout) const;
     void trace(StopRun& stop, std::string_view name, SourcePlace place);
 
     // $-variables.
@@ -140,7 +153,7 @@ private:
     // Levels of the C stack that a call may take, for as long as it lives. Fails as endless recursion beyond kMaxDepth.
     class Depth {
     public:
-        Depth(Machine& machine, std::uint32_t levels, const char* what, NameId name, SourcePlace place) : machine_(machine), levels_(levels) {
+        Depth(Machine& machine, std::uint32_t levels, const char* what, NameId name, const SourcePlace& place) : machine_(machine), levels_(levels) {
             if ((machine.depth_ += levels) > kMaxDepth) machine.fail_too_deep(what, name, place, levels);
         }
         Depth(const Depth&) = delete;
@@ -164,6 +177,7 @@ private:
     struct Root { SceneNodeId node; SourcePlace place; std::size_t first_light, end_light; };
 
     const code::Program& program_;
+    const code::Term* terms_;
     const Names& names_;
     Heap& heap_;
     const EvaluateInput& input_;
@@ -176,6 +190,9 @@ private:
     std::vector<SceneNodeId> pending_;                      // children of nodes being made
     std::vector<Root> roots_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, code::Matched> matches_;  // of a value call with a function it met
+    struct LastMatch { std::uint32_t function = 0; const code::Matched* matched = nullptr; };
+    std::vector<LastMatch> last_matches_;                   // by value call
+    Frame* tail_ = nullptr;                                 // of the call that a body ended in
     std::vector<NameId> module_names_;
     std::vector<std::string> recent_;                       // last messages
     Placement placement_;

@@ -22,12 +22,18 @@ void Machine::push_elements(TermId id, Frame* frame) {
             return;
         }
         case Op::kIf: {
-            const bool yes = eval(term.a, frame).truth();
+            const bool yes = truth(term.a, frame);
             if (yes) push_elements(term.b, frame);
             else if (term.c != code::kNone) push_elements(term.c, frame);
             return;
         }
         case Op::kEach: {
+            const Op inside = terms_[term.a].op;
+            if (inside != Op::kFor && inside != Op::kForC && inside != Op::kIf && inside != Op::kEach && inside != Op::kLet && inside != Op::kLetDynamic &&
+                inside != Op::kFrame) {
+                Value hold;
+                return push_each(operand(term.a, frame, hold), id);
+            }
             // `each` of a generator expands every value of it.
             const std::size_t base = stack_.size();
             push_elements(term.a, frame);
@@ -36,7 +42,10 @@ void Machine::push_elements(TermId id, Frame* frame) {
             for (const Value& value : made) push_each(value, id);
             return;
         }
-        case Op::kLet: {
+        case Op::kLet:
+            bind_all(term.b, term.c, frame);
+            return push_elements(term.a, frame);
+        case Op::kLetDynamic: {
             const std::size_t before = mark();
             bind_all(term.b, term.c, frame);
             push_elements(term.a, frame);
@@ -119,7 +128,7 @@ void Machine::set_loop_variable(const Bind& variable, const Value& value, Frame*
 void Machine::push_for_c(const Loop& loop, TermId id, Frame* frame) {
     for (const std::uint32_t slot : loop.unset) frame->slots()[slot] = Value::unset();
     bind_all(loop.first_init, loop.inits, frame);
-    for (std::uint32_t rounds = 0; eval(loop.condition, frame).truth(); ++rounds) {
+    for (std::uint32_t rounds = 0; truth(loop.condition, frame); ++rounds) {
         if (rounds == kMaxIterations) fail(program_.places[id], "For loop counter exceeded limit", "a C-style for stops after 1000000 rounds");
         tick();
         push_elements(loop.body, frame);

@@ -18,125 +18,218 @@ Frame* up(Frame* frame, std::uint32_t levels) {
     return frame;
 }
 
-}  // namespace
-
-// The ways that most evaluations take; the rest is in eval_slow, so that this frame stays small.
-Value Machine::eval(TermId id, Frame* frame) {
-    const Term& node = program_.terms[id];
-    const auto arithmetic = [&](auto operation, ast::Op op) {
-        const Value left = eval(node.a, frame);
-        const Value right = eval(node.b, frame);
-        if (left.is_number() && right.is_number()) return Value(operation(left.number(), right.number()));
-        return eval_binary(op, left, right, id);
-    };
-    switch (node.op) {
-        case Op::kConstant: return program_.constants[node.a];
-        case Op::kSlot: return frame->slots()[node.a];
-        case Op::kOuter: return up(frame, node.a)->slots()[node.b];
-        case Op::kMaybe: {
-            const Value& value = up(frame, node.a)->slots()[node.b];
-            return value.is_unset() ? eval(node.c, frame) : value;
-        }
-        case Op::kTernary: return eval(eval(node.a, frame).truth() ? node.b : node.c, frame);
-        case Op::kOr: return Value(eval(node.a, frame).truth() || eval(node.b, frame).truth());
-        case Op::kAnd: return Value(eval(node.a, frame).truth() && eval(node.b, frame).truth());
-        case Op::kAdd: return arithmetic([](double a, double b) { return a + b; }, ast::Op::kAdd);
-        case Op::kSubtract: return arithmetic([](double a, double b) { return a - b; }, ast::Op::kSubtract);
-        case Op::kMultiply: return arithmetic([](double a, double b) { return a * b; }, ast::Op::kMultiply);
-        case Op::kDivide: return arithmetic([](double a, double b) { return a / b; }, ast::Op::kDivide);
-        case Op::kLess: return arithmetic([](double a, double b) { return a < b; }, ast::Op::kLess);
-        case Op::kLessEqual: return arithmetic([](double a, double b) { return a <= b; }, ast::Op::kLessEqual);
-        case Op::kGreater: return arithmetic([](double a, double b) { return a > b; }, ast::Op::kGreater);
-        case Op::kGreaterEqual: return arithmetic([](double a, double b) { return a >= b; }, ast::Op::kGreaterEqual);
-        case Op::kEqual: return arithmetic([](double a, double b) { return a == b; }, ast::Op::kEqual);
-        case Op::kNotEqual: return arithmetic([](double a, double b) { return a != b; }, ast::Op::kNotEqual);
-        case Op::kIndex: {
-            const Value list = eval(node.a, frame);
-            const Value index = eval(node.b, frame);
-            if (list.is_vector() && index.is_number() && index.number() >= 0 && index.number() < list.size()) return list[static_cast<std::size_t>(index.number())];
-            return element_at(heap_, list, index);
-        }
-        case Op::kVector: {
-            const std::size_t base = stack_.size();
-            for (std::uint32_t i = 0; i < node.b; ++i) stack_.push_back(eval(program_.lists[node.a + i], frame));
-            Value made = heap_.vector(stack_.data() + base, node.b);
-            stack_.resize(base);
-            if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
-            return made;
-        }
-        case Op::kLet: {
-            const std::size_t before = mark();
-            bind_all(node.b, node.c, frame);
-            Value result = eval(node.a, frame);
-            if (trail_.size() > before) undo(before);
-            return result;
-        }
-        case Op::kCall: return call_function(program_.calls[node.a], frame, program_.places[id]);
-        case Op::kTailCall: return call_function(program_.calls[node.a], frame, program_.places[id]);
-        default: return eval_slow(node, id, frame);
+bool compare(Op op, double a, double b) {
+    switch (op) {
+        case Op::kLess: return a < b;
+        case Op::kLessEqual: return a <= b;
+        case Op::kGreater: return a > b;
+        case Op::kGreaterEqual: return a >= b;
+        case Op::kEqual: return a == b;
+        default: return a != b;
     }
 }
 
-Value Machine::eval_slow(const Term& node, TermId id, Frame* frame) {
-    switch (node.op) {
-        case Op::kDynamic: return eval_dynamic(node, id);
+ast::Op general(Op op) {
+    switch (op) {
+        case Op::kAdd: return ast::Op::kAdd;
+        case Op::kSubtract: return ast::Op::kSubtract;
+        case Op::kMultiply: return ast::Op::kMultiply;
+        case Op::kDivide: return ast::Op::kDivide;
+        case Op::kLess: return ast::Op::kLess;
+        case Op::kLessEqual: return ast::Op::kLessEqual;
+        case Op::kGreater: return ast::Op::kGreater;
+        case Op::kGreaterEqual: return ast::Op::kGreaterEqual;
+        case Op::kEqual: return ast::Op::kEqual;
+        default: return ast::Op::kNotEqual;
+    }
+}
+
+}  // namespace
+
+// The value of a term without a copy where it lies in a slot or is constant, else evaluated into `hold`. A slot keeps its value while other parts of the same
+// expression are evaluated: every let, for and parameter has a slot of its own, and every call a frame of its own.
+const Value& Machine::operand(TermId id, Frame* frame, Value& hold) {
+    const Term& term = terms_[id];
+    if (term.op == Op::kSlot) return frame->slots()[term.a];
+    if (term.op == Op::kConstant) return program_.constants[term.a];
+    if (term.op == Op::kOuter) return up(frame, term.a)->slots()[term.b];
+    hold = eval(id, frame);
+    return hold;
+}
+
+bool Machine::truth(TermId id, Frame* frame) {
+    const Term& term = terms_[id];
+    switch (term.op) {
+        case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual: {
+            Value first, second;
+            const Value& left = operand(term.a, frame, first);
+            const Value& right = operand(term.b, frame, second);
+            if (left.is_number() && right.is_number()) return compare(term.op, left.number(), right.number());
+            return eval_binary(general(term.op), left, right, id).truth();
+        }
+        case Op::kOr: return truth(term.a, frame) || truth(term.b, frame);
+        case Op::kAnd: return truth(term.a, frame) && truth(term.b, frame);
+        default: {
+            Value hold;
+            return operand(id, frame, hold).truth();
+        }
+    }
+}
+
+// The ways that most evaluations take; the rest is in eval_slow, so that this frame stays small. What stands in tail position goes round instead of deeper.
+Value Machine::eval(TermId id, Frame* frame) {
+    for (;;) {
+        const Term& term = terms_[id];
+        switch (term.op) {
+            case Op::kConstant: return program_.constants[term.a];
+            case Op::kSlot: return frame->slots()[term.a];
+            case Op::kOuter: return up(frame, term.a)->slots()[term.b];
+            case Op::kMaybe: {
+                const Value& value = up(frame, term.a)->slots()[term.b];
+                if (!value.is_unset()) return value;
+                id = term.c;
+                continue;
+            }
+            case Op::kTernary: id = truth(term.a, frame) ? term.b : term.c; continue;
+            case Op::kOr: case Op::kAnd: return Value(truth(id, frame));
+            case Op::kAdd: case Op::kSubtract: case Op::kMultiply: case Op::kDivide: return eval_arithmetic(term, id, frame);
+            case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual:
+                return eval_comparison(term, id, frame);
+            case Op::kIndex: return eval_index(term, frame);
+            case Op::kElement: {
+                Value hold;
+                const Value& whole = operand(term.a, frame, hold);
+                return whole.is_vector() && term.b < whole.size() ? whole[term.b] : Value();
+            }
+            case Op::kVector: return eval_vector(term, id, frame);
+            case Op::kLet:
+                bind_all(term.b, term.c, frame);
+                id = term.a;
+                continue;
+            case Op::kCall: return call_function(program_.calls[term.a], frame, id);
+            case Op::kTailCall:
+                tail_ = next_frame(program_.calls[term.a], frame, id);
+                return Value::unset();
+            case Op::kBuiltin: return eval_builtin(term, id, frame);
+            case Op::kAssert: case Op::kEcho:
+                if (term.op == Op::kAssert) run_assert(program_.arguments, term.b, term.c, frame, program_.places[id]);
+                else run_echo(program_.arguments, term.b, term.c, frame);
+                if (term.a == code::kNone) return {};
+                id = term.a;
+                continue;
+            default: return eval_slow(term, id, frame);
+        }
+    }
+}
+
+Value Machine::eval_arithmetic(const Term& term, TermId id, Frame* frame) {
+    Value first, second;
+    const Value& left = operand(term.a, frame, first);
+    const Value& right = operand(term.b, frame, second);
+    if (!left.is_number() || !right.is_number()) return eval_binary(general(term.op), left, right, id);
+    switch (term.op) {
+        case Op::kAdd: return Value(left.number() + right.number());
+        case Op::kSubtract: return Value(left.number() - right.number());
+        case Op::kMultiply: return Value(left.number() * right.number());
+        default: return Value(left.number() / right.number());
+    }
+}
+
+Value Machine::eval_comparison(const Term& term, TermId id, Frame* frame) {
+    Value first, second;
+    const Value& left = operand(term.a, frame, first);
+    const Value& right = operand(term.b, frame, second);
+    if (left.is_number() && right.is_number()) return Value(compare(term.op, left.number(), right.number()));
+    return eval_binary(general(term.op), left, right, id);
+}
+
+Value Machine::eval_index(const Term& term, Frame* frame) {
+    Value first, second;
+    const Value& list = operand(term.a, frame, first);
+    const Value& index = operand(term.b, frame, second);
+    if (list.is_vector() && index.is_number() && index.number() >= 0 && index.number() < list.size()) return list[static_cast<std::size_t>(index.number())];
+    return element_at(heap_, list, index);
+}
+
+Value Machine::eval_vector(const Term& term, TermId id, Frame* frame) {
+    Value made = heap_.blank_vector(term.b);
+    Value* elements = elements_of_new(made);
+    for (std::uint32_t i = 0; i < term.b; ++i) elements[i] = eval(program_.lists[term.a + i], frame);
+    note_nesting(made);
+    if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
+    return made;
+}
+
+template <std::size_t Count>
+Value Machine::eval_builtin_of(const Term& term, TermId id, Frame* frame) {
+    Value arguments[Count];
+    for (std::size_t i = 0; i < Count; ++i) arguments[i] = eval(program_.lists[term.b + i], frame);
+    return call_builtin(term.a, arguments, program_.places[id]);
+}
+
+Value Machine::eval_builtin(const Term& term, TermId id, Frame* frame) {
+    try {
+        switch (term.c) {
+            case 1: return eval_builtin_of<1>(term, id, frame);
+            case 2: return eval_builtin_of<2>(term, id, frame);
+            case 3: return eval_builtin_of<3>(term, id, frame);
+            default: {
+                std::vector<Value> arguments(term.c);
+                for (std::uint32_t i = 0; i < term.c; ++i) arguments[i] = eval(program_.lists[term.b + i], frame);
+                return call_builtin(term.a, arguments, program_.places[id]);
+            }
+        }
+    } catch (StopRun& stop) {
+        trace(stop, builtin_functions()[term.a].name, program_.places[id]);
+        throw;
+    }
+}
+
+Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
+    switch (term.op) {
+        case Op::kDynamic: return eval_dynamic(term, id);
         case Op::kUnknown:
-            if (node.b == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(node.a) + "'", hint_for_variable(program_, names_, node.a));
+            if (term.b == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(term.a) + "'", hint_for_variable(program_, names_, term.a));
             return {};
         case Op::kUnary: {
-            const Value operand = eval(node.a, frame);
+            Value hold;
+            const Value& value = operand(term.a, frame, hold);
             std::string problem;
-            Value result = unary_operation(heap_, static_cast<ast::Op>(node.b), operand, problem);
+            Value result = unary_operation(heap_, static_cast<ast::Op>(term.b), value, problem);
             if (!problem.empty()) warn(program_.places[id], std::move(problem));
             return result;
         }
         case Op::kBinary: {
-            const Value left = eval(node.a, frame);
-            const Value right = eval(node.b, frame);
-            return eval_binary(static_cast<ast::Op>(node.c), left, right, id);
+            Value first, second;
+            const Value& left = operand(term.a, frame, first);
+            return eval_binary(static_cast<ast::Op>(term.c), left, operand(term.b, frame, second), id);
         }
-        case Op::kMember: return eval_member(node, frame);
-        case Op::kElements: {
+        case Op::kMember: return eval_member(term, frame);
+        case Op::kRange: return eval_range(term, id, frame);
+        case Op::kLetDynamic: {
+            const std::size_t before = mark();
+            bind_all(term.b, term.c, frame);
+            Value result = eval(term.a, frame);
+            undo(before);
+            return result;
+        }
+        case Op::kFrame: {
+            const FrameRef inner(heap_.frame(program_.frame_sizes[term.b], frame));
+            return eval(term.a, inner.get());
+        }
+        case Op::kFunction: return heap_.function(term.a, frame);
+        case Op::kCallValue: return call_value(id, frame);
+        case Op::kUnknownFunction:
+            warn(program_.places[id], "Ignoring unknown function '" + names_.text(term.a) + "'", hint_for_function(program_, names_, term.a));
+            return {};
+        default: {  // kElements, or a generator on its own: a list
             const std::size_t base = stack_.size();
-            for (std::uint32_t i = 0; i < node.b; ++i) push_elements(program_.lists[node.a + i], frame);
+            if (term.op == Op::kElements)
+                for (std::uint32_t i = 0; i < term.b; ++i) push_elements(program_.lists[term.a + i], frame);
+            else push_elements(id, frame);
             Value made = heap_.vector(stack_.data() + base, stack_.size() - base);
             stack_.resize(base);
             if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
-            return made;
-        }
-        case Op::kRange: return eval_range(node, id, frame);
-        case Op::kFrame: {
-            const FrameRef inner(heap_.frame(program_.frame_sizes[node.b], frame));
-            return eval(node.a, inner.get());
-        }
-        case Op::kAssert:
-            run_assert(program_.arguments, node.b, node.c, frame, program_.places[id]);
-            return node.a == code::kNone ? Value() : eval(node.a, frame);
-        case Op::kEcho:
-            run_echo(program_.arguments, node.b, node.c, frame);
-            return node.a == code::kNone ? Value() : eval(node.a, frame);
-        case Op::kFunction: return heap_.function(node.a, frame);
-        case Op::kCallValue: return call_value(id, frame);
-        case Op::kBuiltin: {
-            std::vector<Value> arguments;
-            arguments.reserve(node.c);
-            std::vector<std::string_view> names;
-            try {
-                for (std::uint32_t i = 0; i < node.c; ++i) arguments.push_back(eval(program_.lists[node.b + i], frame));
-                return call_builtin(node.a, arguments, names, program_.places[id]);
-            } catch (StopRun& stop) {
-                trace(stop, builtin_functions()[node.a].name, program_.places[id]);
-                throw;
-            }
-        }
-        case Op::kUnknownFunction:
-            warn(program_.places[id], "Ignoring unknown function '" + names_.text(node.a) + "'", hint_for_function(program_, names_, node.a));
-            return {};
-        default: {  // a generator on its own makes a list
-            const std::size_t base = stack_.size();
-            push_elements(id, frame);
-            Value made = heap_.vector(stack_.data() + base, stack_.size() - base);
-            stack_.resize(base);
             return made;
         }
     }
@@ -184,19 +277,31 @@ Value Machine::eval_range(const Term& node, TermId id, Frame* frame) {
     return heap_.range(begin.number(), step.number(), end.number());
 }
 
-Value Machine::eval_member(const Term& node, Frame* frame) {
-    const Value whole = eval(node.a, frame);
-    const std::string& name = names_.text(node.b);
-    if (whole.is_vector() && name.size() == 1 && name[0] >= 'x' && name[0] <= 'z') {
-        const std::size_t index = static_cast<std::size_t>(name[0] - 'x');
-        return index < whole.size() ? whole[index] : Value();
-    }
+Value Machine::eval_member(const Term& term, Frame* frame) {
+    Value hold;
+    const Value& whole = operand(term.a, frame, hold);
+    const std::string& name = names_.text(term.b);
+    if (whole.is_vector()) return swizzle(whole, name);
     if (whole.is_range()) {
         if (name == "begin") return Value(whole.range().begin);
         if (name == "step") return Value(whole.range().step);
         if (name == "end") return Value(whole.range().end);
     }
     return {};
+}
+
+// Later versions: .w, .r .g .b .a, and up to four of them together, which make a vector.
+Value Machine::swizzle(const Value& vector, const std::string& name) {
+    constexpr std::string_view kAxes = "xyzw", kColors = "rgba";
+    Value parts[4];
+    if (name.size() > 4) return {};
+    const std::string_view letters = kAxes.find(name[0]) != std::string_view::npos ? kAxes : kColors;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const std::size_t index = letters.find(name[i]);
+        if (index >= vector.size()) return {};
+        parts[i] = vector[index];
+    }
+    return name.size() == 1 ? parts[0] : heap_.vector(parts, name.size());
 }
 
 void Machine::bind(const Bind& bind, Value value, Frame* frame) {
@@ -227,7 +332,7 @@ void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, s
         else if (!name.empty()) warn(place, "variable " + name + " not specified as parameter");
         if (name.empty()) ++position;
     }
-    if (condition && eval(condition->value, frame).truth()) return;
+    if (condition && truth(condition->value, frame)) return;
     std::string text = "Assertion";
     if (condition) {
         text += " '";
@@ -241,10 +346,11 @@ void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, s
 
 void Machine::run_echo(const std::vector<Argument>& list, std::size_t first, std::size_t count, Frame* frame) {
     std::string text;
+    Value hold;
     for (std::size_t i = first; i < first + count; ++i) {
         if (i > first) text += ", ";
         if (list[i].name != kNoName) text += names_.text(list[i].name) + " = ";
-        text += text_of(eval(list[i].value, frame));
+        append_text(text, operand(list[i].value, frame, hold));
     }
     say(Severity::kEcho, {}, std::move(text));
 }

@@ -13,6 +13,7 @@
 #include "csg/base/vec.h"
 #include "csg/eval/matter.h"
 #include "csg/lang/source.h"
+#include "csg/solid/text_outline.h"
 
 namespace whittle {
 
@@ -54,6 +55,7 @@ struct Render { int convexity = 1; };
 struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; int convexity = 0; };
 struct Offset { double delta = 0; bool round = true; bool chamfer = false; };
 struct Projection { bool cut = false; int convexity = 0; };
+struct Text { TextRequest request; std::string csg; };
 struct Part { std::string name; };
 struct Moving { Placement start, end; };
 
@@ -68,7 +70,7 @@ struct Unsupported { std::string name; std::string csg; };
 
 using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
                           Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Matter, LinearExtrude, RotateExtrude, Render, Resize, Offset,
-                          Projection, Part, Moving, Import, Surface, Unsupported>;
+                          Projection, Text, Part, Moving, Import, Surface, Unsupported>;
 
 }  // namespace scene
 
@@ -91,6 +93,7 @@ struct Scene {
     std::vector<Light> lights;
     std::optional<Camera> camera;
     ViewVariables view;
+    std::vector<std::string> fonts;  // files that `use` named
 };
 
 }  // namespace whittle

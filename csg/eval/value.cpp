@@ -1,6 +1,7 @@
 #include "csg/eval/value.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -22,7 +23,7 @@ const char* type_name(Type type) {
     return "";
 }
 
-bool Value::truth() const {
+bool Value::truth_of_object() const {
     switch (type_) {
         case Type::kUnset:
         case Type::kUndef: return false;
@@ -36,7 +37,7 @@ bool Value::truth() const {
     return false;
 }
 
-void* Heap::allocate(std::size_t bytes) {
+void* Heap::allocate_new(std::size_t bytes) {
     bytes_ += bytes;
     const std::size_t index = (bytes + kStep - 1) / kStep;
     if (index >= kClasses) {
@@ -46,10 +47,6 @@ void* Heap::allocate(std::size_t bytes) {
         }
         void* block = std::malloc(bytes);
         if (!block) throw std::bad_alloc();
-        return block;
-    }
-    if (FreeBlock* block = free_[index]) {
-        free_[index] = block->next;
         return block;
     }
     const std::size_t rounded = index * kStep;
@@ -64,13 +61,6 @@ void* Heap::allocate(std::size_t bytes) {
     slab_ += rounded;
     slab_left_ -= rounded;
     return block;
-}
-
-void Heap::free(void* block, std::size_t bytes) {
-    bytes_ -= bytes;
-    const std::size_t index = (bytes + kStep - 1) / kStep;
-    if (index >= kClasses) return std::free(block);
-    free_[index] = new (block) FreeBlock{free_[index]};
 }
 
 Heap::~Heap() {
@@ -88,6 +78,18 @@ std::size_t bytes_of(const Object& object) {
     }
 }
 
+// Bytes that do not continue a character, eight at a time.
+std::uint32_t count_points(std::string_view text) {
+    std::size_t continuing = 0, i = 0;
+    for (; i + 8 <= text.size(); i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, text.data() + i, 8);
+        continuing += static_cast<std::size_t>(std::popcount((word >> 7) & ~(word >> 6) & 0x0101010101010101u));
+    }
+    for (; i < text.size(); ++i) continuing += (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+    return static_cast<std::uint32_t>(text.size() - continuing);
+}
+
 template <class T>
 T* make(Heap& heap, Type type, std::size_t extra = 0) {
     T* object = new (heap.allocate(sizeof(T) + extra)) T;
@@ -102,7 +104,7 @@ Value Heap::string(std::string_view text) {
     StringObject* s = make<StringObject>(*this, Type::kString, text.size());
     s->bytes = static_cast<std::uint32_t>(text.size());
     std::memcpy(s->data(), text.data(), text.size());
-    for (char c : text) s->points += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    s->points = count_points(text);
     return Value(s);
 }
 
@@ -121,6 +123,13 @@ Value Heap::vector(Value* first, std::size_t count) {
         if (first[i].is_vector()) v->nesting = std::max(v->nesting, first[i].vector().nesting + 1);
         new (v->data() + i) Value(std::move(first[i]));
     }
+    return Value(v);
+}
+
+Value Heap::blank_vector(std::size_t count) {
+    VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
+    v->size = static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) new (v->data() + i) Value();
     return Value(v);
 }
 
@@ -145,16 +154,6 @@ Value Heap::function(std::uint32_t code, Frame* frame) {
 void Heap::forget(FunctionObject& f) {
     (f.previous ? f.previous->next : functions_) = f.next;
     if (f.next) f.next->previous = f.previous;
-}
-
-Frame* Heap::frame(std::uint32_t slots, Frame* parent) {
-    Frame* f = new (allocate(sizeof(Frame) + slots * sizeof(Value))) Frame;
-    f->size = slots;
-    f->parent = parent;
-    f->heap = this;
-    retain(parent);
-    for (std::uint32_t i = 0; i < slots; ++i) new (f->slots() + i) Value(Value::unset());
-    return f;
 }
 
 namespace {

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -111,9 +113,10 @@ public:
     inline std::uint32_t size() const;                  // of a vector
     inline const Value& operator[](std::size_t) const;  // of a vector
 
-    bool truth() const;
+    bool truth() const { return type_ == Type::kNumber || type_ == Type::kBool ? number_ != 0 : truth_of_object(); }
 
 private:
+    bool truth_of_object() const;
     friend void release_object(Object* object);
     void retain() {
         if (is_object()) ++object_->refs;
@@ -129,6 +132,17 @@ static_assert(sizeof(Value) == 16);
 
 const Value* VectorObject::data() const { return reinterpret_cast<const Value*>(this + 1); }
 Value* VectorObject::data() { return reinterpret_cast<Value*>(this + 1); }
+
+// The elements of a vector that nobody else holds yet.
+inline Value* elements_of_new(Value& vector) { return static_cast<VectorObject*>(vector.object())->data(); }
+// To be called when they are filled: notes how deep they nest.
+inline void note_nesting(Value& vector) {
+    VectorObject& v = *static_cast<VectorObject*>(vector.object());
+    for (std::uint32_t i = 0; i < v.size; ++i) {
+        const Value& element = v.data()[i];
+        if (element.is_vector() && element.vector().nesting >= v.nesting) v.nesting = element.vector().nesting + 1;
+    }
+}
 std::uint32_t Value::size() const { return vector().size; }
 const Value& Value::operator[](std::size_t i) const { return vector().data()[i]; }
 
@@ -147,20 +161,37 @@ public:
     Value vector(std::vector<Value> values) { return vector(values.data(), values.size()); }
     // `count` numbers.
     Value numbers(const double* first, std::size_t count);
+    // `count` undefs, to be filled through elements_of_new() before anybody else sees them.
+    Value blank_vector(std::size_t count);
     Value function(std::uint32_t code, Frame* frame);
-    Frame* frame(std::uint32_t slots, Frame* parent);
+    inline Frame* frame(std::uint32_t slots, Frame* parent);
 
     std::uint64_t bytes() const { return bytes_; }
     // Large blocks beyond it are refused with std::bad_alloc; 0: none.
     void set_limit(std::uint64_t bytes) { limit_ = bytes; }
-    void* allocate(std::size_t bytes);
-    void free(void* block, std::size_t bytes);
+    void* allocate(std::size_t bytes) {
+        const std::size_t index = (bytes + kStep - 1) / kStep;
+        if (index < kClasses)
+            if (FreeBlock* block = free_[index]) {
+                bytes_ += bytes;
+                free_[index] = block->next;
+                return block;
+            }
+        return allocate_new(bytes);
+    }
+    void free(void* block, std::size_t bytes) {
+        bytes_ -= bytes;
+        const std::size_t index = (bytes + kStep - 1) / kStep;
+        if (index >= kClasses) return std::free(block);
+        free_[index] = new (block) FreeBlock{free_[index]};
+    }
 
     void forget(FunctionObject& function);
     // Empties the frames that living functions hold: a function that a variable of its own frame names would never go otherwise.
     void break_cycles();
 
 private:
+    void* allocate_new(std::size_t bytes);
     static constexpr std::size_t kStep = 16, kClasses = 33;  // blocks up to 512 bytes are pooled
     struct FreeBlock { FreeBlock* next; };
     static constexpr std::size_t kMaxBlock = std::size_t{3} << 30;  // sizes are 32 bits
@@ -187,6 +218,16 @@ struct Frame {
 inline void retain(Frame* frame) {
     if (frame) ++frame->refs;
 }
+Frame* Heap::frame(std::uint32_t slots, Frame* parent) {
+    Frame* f = new (allocate(sizeof(Frame) + slots * sizeof(Value))) Frame;
+    f->size = slots;
+    f->parent = parent;
+    f->heap = this;
+    if (parent) ++parent->refs;
+    for (std::uint32_t i = 0; i < slots; ++i) new (f->slots() + i) Value(Value::unset());
+    return f;
+}
+
 void release_frame(Frame* frame);
 inline void release(Frame* frame) {
     if (frame && --frame->refs == 0) release_frame(frame);
@@ -200,6 +241,8 @@ public:
     FrameRef& operator=(const FrameRef&) = delete;
     ~FrameRef() { release(frame_); }
     Frame* get() const { return frame_; }
+    // Gives the reference away.
+    Frame* take() { return std::exchange(frame_, nullptr); }
     void reset(Frame* frame) {
         release(frame_);
         frame_ = frame;

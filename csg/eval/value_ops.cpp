@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <sleef.h>
 
 #include "csg/lang/print_ast.h"
 
@@ -84,15 +85,24 @@ Value ordered(Op op, const Value& a, const Value& b, std::string& problem) {
     }
 }
 
+// A vector of f(0), f(1), ...
+template <class F>
+Value mapped(Heap& heap, std::uint32_t count, F f) {
+    Value made = heap.blank_vector(count);
+    Value* elements = elements_of_new(made);
+    for (std::uint32_t i = 0; i < count; ++i) elements[i] = f(i);
+    note_nesting(made);
+    return made;
+}
+
 Value sum(Heap& heap, Op op, const Value& a, const Value& b, std::string& problem) {
     if (a.is_number() && b.is_number()) return Value(op == Op::kAdd ? a.number() + b.number() : a.number() - b.number());
     if (!a.is_vector() || !b.is_vector()) return undefined(op, a, b, problem);
-    std::vector<Value> out(std::min(a.size(), b.size()));
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    return mapped(heap, std::min(a.size(), b.size()), [&](std::uint32_t i) {
+        if (a[i].is_number() && b[i].is_number()) return Value(op == Op::kAdd ? a[i].number() + b[i].number() : a[i].number() - b[i].number());
         std::string ignored;
-        out[i] = sum(heap, op, a[i], b[i], ignored);
-    }
-    return heap.vector(std::move(out));
+        return sum(heap, op, a[i], b[i], ignored);
+    });
 }
 
 // Sum of a[i] * row[i]; false where an element is no number.
@@ -110,7 +120,8 @@ Value matrix_times_vector(Heap& heap, const Value& m, const Value& v, std::strin
         problem = fmt::format("matrix*vector requires matrix column count to match vector length ({} != {})", m[0].size(), v.size());
         return {};
     }
-    std::vector<Value> out;
+    Value made = heap.blank_vector(m.size());
+    Value* out = elements_of_new(made);
     for (std::uint32_t row = 0; row < m.size(); ++row) {
         if (!m[row].is_vector() || m[row].size() != v.size()) {
             problem = fmt::format("Matrix must be rectangular. Problem at row {}", row);
@@ -123,9 +134,9 @@ Value matrix_times_vector(Heap& heap, const Value& m, const Value& v, std::strin
             if (!problem.empty()) return {};
             total += m[row][i].number() * v[i].number();
         }
-        out.emplace_back(total);
+        out[row] = Value(total);
     }
-    return heap.vector(std::move(out));
+    return made;
 }
 
 Value vector_times_matrix(Heap& heap, const Value& v, const Value& m, std::string& problem) {
@@ -133,7 +144,8 @@ Value vector_times_matrix(Heap& heap, const Value& v, const Value& m, std::strin
         problem = fmt::format("vector*matrix requires vector length to match matrix row count ({} != {})", v.size(), m.size());
         return {};
     }
-    std::vector<Value> out;
+    Value made = heap.blank_vector(m[0].size());
+    Value* out = elements_of_new(made);
     for (std::uint32_t column = 0; column < m[0].size(); ++column) {
         double total = 0;
         for (std::uint32_t row = 0; row < m.size(); ++row) {
@@ -143,9 +155,9 @@ Value vector_times_matrix(Heap& heap, const Value& v, const Value& m, std::strin
             if (!problem.empty()) return {};
             total += v[row].number() * m[row][column].number();
         }
-        out.emplace_back(total);
+        out[column] = Value(total);
     }
-    return heap.vector(std::move(out));
+    return made;
 }
 
 Value matrix_times_matrix(Heap& heap, const Value& a, const Value& b, std::string& problem) {
@@ -197,24 +209,21 @@ Value product(Heap& heap, const Value& a, const Value& b, std::string& problem) 
     if (!(a.is_number() && b.is_vector()) && !(a.is_vector() && b.is_number())) return undefined(Op::kMultiply, a, b, problem);
     const Value& list = a.is_vector() ? a : b;
     const Value& factor = a.is_vector() ? b : a;
-    std::vector<Value> out(list.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    return mapped(heap, list.size(), [&](std::uint32_t i) {
+        if (list[i].is_number()) return Value(list[i].number() * factor.number());
         std::string ignored;
-        out[i] = product(heap, list[i], factor, ignored);
-    }
-    return heap.vector(std::move(out));
+        return product(heap, list[i], factor, ignored);
+    });
 }
 
 Value quotient(Heap& heap, const Value& a, const Value& b, std::string& problem) {
     if (a.is_number() && b.is_number()) return Value(a.number() / b.number());
     const bool by_number = a.is_vector() && b.is_number(), of_number = a.is_number() && b.is_vector();
     if (!by_number && !of_number) return undefined(Op::kDivide, a, b, problem);
-    std::vector<Value> out((by_number ? a : b).size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    return mapped(heap, (by_number ? a : b).size(), [&](std::uint32_t i) {
         std::string ignored;
-        out[i] = by_number ? quotient(heap, a[i], b, ignored) : quotient(heap, a, b[i], ignored);
-    }
-    return heap.vector(std::move(out));
+        return by_number ? quotient(heap, a[i], b, ignored) : quotient(heap, a, b[i], ignored);
+    });
 }
 
 // Truncated; what does not fit in 64 bits saturates, nan is 0.
@@ -245,6 +254,13 @@ Value bits(Op op, const Value& a, const Value& b, std::string& problem) {
     return Value(static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << y)));
 }
 
+// fmod; whole numbers below 2^31 by the processor's division.
+double remainder(double a, double b) {
+    const auto whole = [](double x) { return std::fabs(x) < 0x1p31 && x == static_cast<double>(static_cast<std::int32_t>(x)); };
+    if (!whole(a) || !whole(b) || b == 0) return std::fmod(a, b);
+    return std::copysign(static_cast<double>(static_cast<std::int64_t>(a) % static_cast<std::int64_t>(b)), a);
+}
+
 }  // namespace
 
 Value binary_operation(Heap& heap, Op op, const Value& left, const Value& right, std::string& problem) {
@@ -260,10 +276,10 @@ Value binary_operation(Heap& heap, Op op, const Value& left, const Value& right,
         case Op::kMultiply: return product(heap, left, right, problem);
         case Op::kDivide: return quotient(heap, left, right, problem);
         case Op::kModulo:
-            if (left.is_number() && right.is_number()) return Value(std::fmod(left.number(), right.number()));
+            if (left.is_number() && right.is_number()) return Value(remainder(left.number(), right.number()));
             return undefined(op, left, right, problem);
         case Op::kPower:
-            if (left.is_number() && right.is_number()) return Value(std::pow(left.number(), right.number()));
+            if (left.is_number() && right.is_number()) return Value(Sleef_cinz_powd1_u10purec(left.number(), right.number()));
             return undefined(op, left, right, problem);
         default: return bits(op, left, right, problem);
     }
@@ -274,12 +290,10 @@ Value unary_operation(Heap& heap, Op op, const Value& operand, std::string& prob
     if (op == Op::kBitNot && operand.is_number()) return Value(static_cast<double>(~to_integer(operand.number())));
     if (op == Op::kNegate && operand.is_number()) return Value(-operand.number());
     if (op == Op::kNegate && operand.is_vector()) {
-        std::vector<Value> out(operand.size());
-        for (std::size_t i = 0; i < out.size(); ++i) {
+        return mapped(heap, operand.size(), [&](std::uint32_t i) {
             std::string ignored;
-            out[i] = unary_operation(heap, op, operand[i], ignored);
-        }
-        return heap.vector(std::move(out));
+            return unary_operation(heap, op, operand[i], ignored);
+        });
     }
     problem = fmt::format("undefined operation ({}{})", operator_text(op), type_name(operand.type()));
     return {};
