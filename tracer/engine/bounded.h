@@ -17,6 +17,9 @@ public:
     Bounded() = default;
     Bounded(double v) : high_(v) {}  // NOLINT: exact
 
+    // |exact - (high + low)| <= error. Requires: |low| is at most half a unit in the last place of high.
+    static Bounded about(double high, double low, double error) { return make(high, low, error); }
+
     double high() const { return high_; }
     double low() const { return low_; }
     double error() const { return error_; }
@@ -51,6 +54,8 @@ public:
         const double inherited = (a.error_ + (std::abs(x) + std::abs(y)) * b.error_) / room;
         return rounded(x, y, inherited * (1 + 0x1p-40));
     }
+    // Times a power of two that neither overflows nor underflows: exact.
+    Bounded scaled(double power_of_two) const { return make(high_ * power_of_two, low_ * power_of_two, error_ * power_of_two); }
     // Requires: the value is certain and positive.
     friend Bounded square_root(const Bounded& a) {
         const double r = std::sqrt(a.high_);

@@ -1,7 +1,11 @@
 // exact_crossings.cpp — the double-double and the exact tier.
 #include "tracer/engine/exact_crossings.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tracer/engine/bounded.h"
+#include "tracer/engine/fine_quartic.h"
 #include "tracer/engine/nudged.h"
 
 namespace whittle {
@@ -57,14 +61,51 @@ std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame
 namespace {
 
 struct FineRoots {
-    std::array<Bounded, 2> t;
+    std::array<Bounded, 4> t;
     int count = 0, first_sign = 1;
 };
 
 bool certain_nonzero(const Bounded& x) { return x.is_certain() && x.sign() != 0; }
 
+// The torus seen from near its closest approach; from the origin where the ray leaves it.
+bool fine_torus(const Support& s, const Frame& frame, const Ray& ray, bool leaving, FineRoots& out) {
+    auto origin = origin_of<Bounded>(ray);
+    FrameLine<Bounded> line = line_in_frame<Bounded>(frame, origin, ray.direction);
+    double along = 0, dd = 0, away = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        along += (s.p[i] * line.w.high() - line.o[i].high()) * line.d[i].high();
+        dd += line.d[i].high() * line.d[i].high();
+    }
+    const double t0 = leaving ? 0 : along / dd;
+    if (t0 != 0) {
+        for (int i = 0; i < 3; ++i) origin[static_cast<std::size_t>(i)] = Bounded(ray.origin[i]) + Bounded(t0) * Bounded(ray.direction[i]);
+        line = line_in_frame<Bounded>(frame, origin, ray.direction);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double x = line.o[i].high() - s.p[i] * line.w.high();
+        away += x * x;
+    }
+    // Roots lie in the torus's ball.
+    const double reach = (std::sqrt(away) + (s.p[3] + s.p[4]) * line.w.high()) / std::sqrt(dd);
+    auto p = support_polynomial(s, line);
+    if (leaving) p.c = {p.c[1], p.c[2], p.c[3], p.c[4], Bounded()};
+    if (!fine_quartic_roots(p.c, reach, out.t, out.count) || out.count % 2 != (leaving ? 1 : 0)) return false;
+    for (std::size_t i = 0; i < 4 && t0 != 0; ++i) out.t[i] = Bounded(t0) + out.t[i];
+    out.first_sign = 1;
+    if (!leaving) return true;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(out.count); ++i) {
+        if (!certain_nonzero(out.t[i])) return false;
+        if (out.t[i].sign() < 0) at = i + 1;
+    }
+    std::move_backward(out.t.begin() + at, out.t.begin() + out.count, out.t.begin() + out.count + 1);
+    out.t[at] = Bounded();
+    ++out.count;
+    return true;
+}
+
 bool fine_roots(const Support& support, const Frame& frame, const Ray& ray, bool leaving, FineRoots& out) {
-    if (degree_of(support.kind) > 2) return false;
+    if (support.kind == SupportKind::kTorus) return fine_torus(support, frame, ray, leaving, out);
     auto p = polynomial_of<Bounded>(support, frame, origin_of<Bounded>(ray), ray.direction);
     if (leaving) p.c[0] = Bounded();
     const Bounded &c = p.c[0], &b = p.c[1], &a = p.c[2];

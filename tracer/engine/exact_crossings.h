@@ -16,10 +16,10 @@ exact::Polynomial exact_polynomial(const Support& support, const Frame& frame, c
 // The same crossings as roots.h promises, decided exactly; t to the last place.
 std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
 
-// The same crossings in double-double. False: not to be had (degree four) or not decidable.
+// The same crossings in double-double. False: not decidable.
 bool fine_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
 
-// One crossing's t in double-double, high + low. False: not to be had (degree four, or undecided).
+// One crossing's t in double-double, high + low. False: undecided.
 bool fine_crossing(const Support& support, const Frame& frame, const Ray& ray, bool leaving, int index, double& high, double& low, double& error);
 
 }  // namespace whittle

@@ -1,4 +1,6 @@
-// frame.cpp — the rounded inverse of a placement, each entry to a few units of roundoff however ill-conditioned it is.
+// frame.cpp — the rounded inverse of a placement, each entry to a unit of roundoff however ill-conditioned it is.
+#include <cmath>
+
 #include "tracer/engine/bounded.h"
 #include "tracer/engine/dyadic.h"
 #include "tracer/engine/support.h"
@@ -7,9 +9,14 @@ namespace whittle {
 
 namespace {
 
-double value_of(const Bounded& x) { return x.high(); }
-double value_of(const exact::Dyadic& x) { return x.approximate(); }
-bool precise(const Bounded& x) { return x.is_zero() || x.error() < 0x1p-56 * std::abs(x.high()); }
+Bounded value_of(const Bounded& x) { return x; }
+// To more than 2^-90 of itself.
+Bounded value_of(const exact::Dyadic& x) {
+    const double high = x.approximate();
+    if (!std::isfinite(high)) return high;
+    return Bounded(high) + Bounded((x - exact::Dyadic(high)).approximate());
+}
+bool precise(const Bounded& x) { return x.is_zero() || x.error() < 0x1p-68 * std::abs(x.high()); }
 bool precise(const exact::Dyadic&) { return true; }
 int sign_of(const Bounded& x) { return x.sign(); }
 int sign_of(const exact::Dyadic& x) { return x.sign(); }
@@ -25,7 +32,7 @@ bool invert(Frame& f) {
         if (!precise(line.w)) return false;
         for (int i = 0; i < 3; ++i) {
             if (!precise(line.d[static_cast<std::size_t>(i)])) return false;
-            f.inverse[static_cast<std::size_t>(3 * i + j)] = value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w);
+            f.inverse[static_cast<std::size_t>(3 * i + j)] = (value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w)).high();
         }
         if (j == 2) f.determinant_sign = sign_of(line.w) < 0 ? -1 : 1;
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tracer/engine/bounded.h"
 #include "tracer/engine/nudged.h"
 
 namespace whittle {
@@ -12,9 +13,16 @@ namespace {
 using exact::Nudged;
 constexpr double u = kUnitRoundoff;
 
-FrameLine<Nudged> nudged_line(RayContext& context, FrameId frame) {
+// The sign of an expression of the ray's line in the frame: in double-double, then exactly.
+template <class Expression>
+int sign_of(RayContext& context, FrameId frame, const Expression& expression) {
+    const Ray& ray = context.ray();
+    ++context.counters().escalated_double_double;
+    const std::array<Bounded, 3> origin{Bounded(ray.origin.x), Bounded(ray.origin.y), Bounded(ray.origin.z)};
+    const Bounded close = expression(line_in_frame<Bounded>(context.frame(frame), origin, ray.direction), Bounded());
+    if (close.is_certain() && close.sign() != 0) return close.sign();
     ++context.counters().escalated_exact;
-    return line_in_frame<Nudged>(context.frame(frame), exact::nudged_origin(context.ray()), context.ray().direction);
+    return expression(line_in_frame<Nudged>(context.frame(frame), exact::nudged_origin(ray), ray.direction), Nudged()).sign();
 }
 
 std::size_t next(int axis, int by) { return static_cast<std::size_t>((axis + by) % 3); }
@@ -32,8 +40,9 @@ int side_of_point(RayContext& context, FrameId frame, int axis, Vec2 point) {
                           3 * u * (std::abs(a) + std::abs(b))) * (1 + 16 * u);
     if (s > bound) return 1;
     if (s < -bound) return -1;
-    const auto line = nudged_line(context, frame);
-    return (line.d[i] * (line.w * Nudged(point.y) - line.o[j]) - line.d[j] * (line.w * Nudged(point.x) - line.o[i])).sign();
+    return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) {
+        return line.d[i] * (line.w * N(point.y) - line.o[j]) - line.d[j] * (line.w * N(point.x) - line.o[i]);
+    });
 }
 
 int side_of_edge(RayContext& context, FrameId frame, const Vec3& a, const Vec3& b) {
@@ -59,14 +68,14 @@ int side_of_edge(RayContext& context, FrameId frame, const Vec3& a, const Vec3& 
     bound *= 1 + 32 * u;
     if (s > bound) return 1;
     if (s < -bound) return -1;
-    const auto line = nudged_line(context, frame);
-    Nudged sum(0.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        const auto rel = [&](const Vec3& v, std::size_t n) { return line.w * Nudged(v[static_cast<int>(n)]) - line.o[n]; };
-        sum = sum + line.d[i] * (rel(a, j) * rel(b, k) - rel(a, k) * rel(b, j));
-    }
-    return sum.sign();
+    return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N sum) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const auto rel = [&](const Vec3& v, std::size_t n) { return line.w * N(v[static_cast<int>(n)]) - line.o[n]; };
+            sum = sum + line.d[i] * (rel(a, j) * rel(b, k) - rel(a, k) * rel(b, j));
+        }
+        return sum;
+    });
 }
 
 int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
@@ -77,8 +86,9 @@ int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
     const double bound = (std::abs(x) * r.eo[j] + std::abs(y) * r.eo[i] + 5 * u * (std::abs(left) + std::abs(right))) * (1 + 16 * u);
     if (s > bound) return 1;
     if (s < -bound) return -1;
-    const auto line = nudged_line(context, frame);
-    return ((Nudged(b.x) - Nudged(a.x)) * (line.o[j] - line.w * Nudged(a.y)) - (Nudged(b.y) - Nudged(a.y)) * (line.o[i] - line.w * Nudged(a.x))).sign();
+    return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) {
+        return (N(b.x) - N(a.x)) * (line.o[j] - line.w * N(a.y)) - (N(b.y) - N(a.y)) * (line.o[i] - line.w * N(a.x));
+    });
 }
 
 int height_against(RayContext& context, FrameId frame, int axis, double y) {
@@ -86,8 +96,7 @@ int height_against(RayContext& context, FrameId frame, int axis, double y) {
     const double h = r.o[next(axis, 2)] - y, bound = (r.eo[next(axis, 2)] + u * std::abs(h)) * (1 + 16 * u);
     if (h > bound) return 1;
     if (h < -bound) return -1;
-    const auto line = nudged_line(context, frame);
-    return (line.o[next(axis, 2)] - line.w * Nudged(y)).sign();
+    return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) { return line.o[next(axis, 2)] - line.w * N(y); });
 }
 
 }  // namespace whittle

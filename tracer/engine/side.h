@@ -1,4 +1,4 @@
-// side.h — on which side of the ray does a point or an edge pass? Filter in double, then exact with the perturbation: never zero.
+// side.h — on which side of the ray does a point or an edge pass? Filter in double, then in double-double, then exact with the perturbation: never zero.
 //
 // The answer for a shared vertex or edge is the same for all facets that share it, which makes meshes and prisms watertight.
 #pragma once

@@ -18,7 +18,7 @@ namespace whittle {
 using FrameId = std::uint32_t;
 
 // A placement shared by many supports. `inverse` rows are the inverse of the linear part, each entry within
-// four units of roundoff: a filter only, it never decides.
+// a unit of roundoff and 2^-64 of itself: a filter only, it never decides.
 struct Frame {
     Placement placement;
     std::array<double, 9> inverse{1, 0, 0, 0, 1, 0, 0, 0, 1};
