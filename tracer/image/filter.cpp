@@ -59,19 +59,27 @@ FilterSampler::FilterSampler(FilterKind kind) : kind_(kind), radius_(filter_radi
         total += std::abs(value);
         signed_total += value;
         cumulative_[static_cast<std::size_t>(i + 1)] = total;
+        weights_[static_cast<std::size_t>(i)] = value < 0 ? -1 : 1;
     }
     for (double& c : cumulative_) c /= total;
     balance_ = signed_total / total;
+    for (std::size_t g = 0; g < kGuesses; ++g) first_cells_[g] = static_cast<std::uint8_t>(cell_of(static_cast<double>(g) / kGuesses, 0));
+}
+
+// The last cell that begins at or before `u`, not before the cell `first`.
+std::size_t FilterSampler::cell_of(double u, std::size_t first) const {
+    std::size_t cell = first;
+    while (cell + 1 < kCells && cumulative_[cell + 1] <= u) ++cell;
+    return cell;
 }
 
 FilterSampler::Axis FilterSampler::axis(double u) const {
     if (kind_ == FilterKind::kBox) return {u - 0.5, 1};
-    const auto above = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u);
-    const auto cell = static_cast<std::size_t>(above - cumulative_.begin() - 1);
+    const std::size_t cell = cell_of(u, first_cells_[static_cast<std::size_t>(u * kGuesses)]);
     const double share = cumulative_[cell + 1] - cumulative_[cell];
     const double within = share > 0 ? (u - cumulative_[cell]) / share : 0.5;
     const double x = -radius_ + (static_cast<double>(cell) + within) * (2 * radius_ / kCells);
-    return {x, filter_profile(kind_, -radius_ + (static_cast<double>(cell) + 0.5) * (2 * radius_ / kCells)) < 0 ? -1.0 : 1.0};
+    return {x, weights_[cell]};
 }
 
 FilterSampler::Place FilterSampler::place(Vec2 u) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -37,12 +38,15 @@ public:
 private:
     struct Axis { double offset, weight; };
     Axis axis(double u) const;
+    std::size_t cell_of(double u, std::size_t first) const;
 
-    static constexpr int kCells = 128;
+    static constexpr int kCells = 128, kGuesses = 256;
     FilterKind kind_;
     double radius_;
     double balance_ = 1;
     std::array<double, kCells + 1> cumulative_{};
+    std::array<double, kCells> weights_{};              // the sign of the profile in a cell
+    std::array<std::uint8_t, kGuesses> first_cells_{};  // the cell in which a share of u begins
 };
 
 }  // namespace whittle
