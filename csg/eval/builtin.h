@@ -54,6 +54,9 @@ struct BuiltinModule {
 std::span<const BuiltinFunction> builtin_functions();
 std::span<const BuiltinModule> builtin_modules();
 
+// Does that built-in module read Machine::placement()? Where no text names one, it is not kept.
+bool asks_placement(std::string_view name);
+
 // The modules that steer evaluation itself: for, if, children ...
 bool is_control_module(std::string_view name);
 

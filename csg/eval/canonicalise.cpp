@@ -103,6 +103,8 @@ struct Canonicaliser::Visit {
     Made operator()(const scene::Offset& what) { return c.offset(id, what); }
     Made operator()(const scene::Projection&) { return c.left_out(node.place, "projection() is not supported yet, left out"); }
     Made operator()(const scene::Unsupported& what) { return c.left_out(node.place, what.name + "() is not supported yet, left out"); }
+    template <class T>
+    Made operator()(const Boxed<T>& what) { return (*this)(what.get()); }
     Made operator()(const auto& what) { return c.primitive(node, what); }
 };
 

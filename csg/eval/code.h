@@ -182,6 +182,7 @@ struct Inst {
     std::uint32_t target = 0;  // builtin or module
     Home home;
     Matched matched;           // kBuiltin, kUser
+    std::uint32_t parameters = 0;  // kBuiltin: how many it has
     std::vector<Bind> binds;   // for, let
     std::vector<Argument> arguments;  // if, echo, assert, children
     std::uint32_t frame_size = kNone;  // for, let: a frame for each iteration
@@ -215,6 +216,7 @@ struct Program {
     std::vector<File> files;          // [0] is the main file
     std::vector<NameId> dynamics;     // names of $-variables; the first kWellKnown are Dynamic's
     std::vector<const ast::Ast*> syntax;  // of files
+    bool sees_lights = false;         // names a module that asks where it stands: light, sun, camera ...
 };
 
 // $-variables that the program itself reads.

@@ -37,7 +37,7 @@ void Machine::keep_root(Scene& scene) {
             if (!first) first = id;
             ++count;
         }
-        const std::vector<SceneNodeId>& children = scene.nodes[id].children;
+        const ChildIds& children = scene.nodes[id].children;
         open.insert(open.end(), children.rbegin(), children.rend());
     }
     if (!first) return;

@@ -67,6 +67,12 @@ void Lowering::resolve_module(const ast::Instantiation& inst, Inst& out, Lexical
     }
 }
 
+bool asks_placement(std::string_view name) {
+    for (const char* known : {"light", "sun", "area_light", "environment", "camera"})
+        if (name == known) return true;
+    return false;
+}
+
 bool is_control_module(std::string_view name) {
     for (const char* known : {"for", "intersection_for", "if", "let", "assign", "echo", "assert", "each", "children", "child"})
         if (name == known) return true;
@@ -98,7 +104,8 @@ InstId Lowering::lower_instantiation(const ast::Instantiation& inst, LexicalScop
                 return parameters.size();
             };
             const std::size_t positional = add(builtin.positional);
-            add(builtin.named);
+            out.parameters = static_cast<std::uint32_t>(add(builtin.named));
+            out_.sees_lights |= asks_placement(builtin.name);
             out.matched = match(inst.arguments, parameters, {}, positional, scope);
             break;
         }

@@ -143,7 +143,7 @@ private:
     void make_children(const code::Inst& inst, Frame* frame);
     void make_child(const ModuleCall& call, double index, const code::Inst& inst);
     void make_scope(code::ScopeId scope, Frame* frame);
-    void add_node(const code::Inst& inst, scene::What what, std::size_t first_child);
+    void add_node(const code::Inst& inst, scene::What&& what, std::size_t first_child);
     void finish(Scene& scene);
     void read_view(Scene& scene);
     void keep_root(Scene& scene);
@@ -171,7 +171,6 @@ private:
     static constexpr std::uint32_t kMaxIterations = 1000000;  // of a C-style for, of a tail call
 
     static constexpr std::uint32_t kMaxModuleIterations = 10000;  // of a range in a for of modules
-    static constexpr std::size_t kMaxModuleParameters = 24;
 
     // A node marked with `!`, and the lights made under it.
     struct Root { SceneNodeId node; SourcePlace place; std::size_t first_light, end_light; };

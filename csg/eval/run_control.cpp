@@ -12,9 +12,8 @@ void Machine::make_loop(const Inst& inst, Frame* frame) {
     const std::size_t first = pending_.size();
     const FrameRef own(inst.frame_size == code::kNone ? nullptr : heap_.frame(program_.frame_sizes[inst.frame_size], frame));
     if (!inst.binds.empty()) make_loop_level(inst, 0, own.get() ? own.get() : frame);
-    scene::What what = scene::Group{"for"};
-    if (inst.kind == InstKind::kIntersectionFor) what = scene::Intersection{};
-    add_node(inst, std::move(what), first);
+    if (inst.kind == InstKind::kIntersectionFor) add_node(inst, scene::Intersection{}, first);
+    else add_node(inst, scene::Group{"for"}, first);
 }
 
 void Machine::make_loop_level(const Inst& inst, std::size_t level, Frame* frame) {

@@ -83,15 +83,14 @@ void Machine::make_kind(const Inst& inst, Frame* frame) {
 }
 
 // Turns the pending nodes from `first_child` on into the children of a new node, which becomes pending itself.
-void Machine::add_node(const Inst& inst, scene::What what, std::size_t first_child) {
-    SceneNode node;
+void Machine::add_node(const Inst& inst, scene::What&& what, std::size_t first_child) {
+    SceneNode& node = scene_->nodes.emplace_back();
     node.what = std::move(what);
-    node.children.assign(pending_.begin() + static_cast<std::ptrdiff_t>(first_child), pending_.end());
+    node.children.assign(pending_.data() + first_child, pending_.data() + pending_.size());
     node.place = inst.place;
     node.facets = facets();
     node.modifiers = inst.modifiers;
     pending_.resize(first_child);
-    scene_->nodes.push_back(std::move(node));
     pending_.push_back(static_cast<SceneNodeId>(scene_->nodes.size() - 1));
 }
 
@@ -104,16 +103,14 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
     if (input_.check_parameters)
         for (const std::string& complaint : inst.matched.complaints)
             warn(inst.place, complaint, builtin.signature.empty() ? std::string() : "expected " + std::string(builtin.signature));
-    Value arguments[kMaxModuleParameters];
-    std::uint32_t count = 0;
+    const std::size_t base = stack_.size();
+    stack_.resize(base + inst.parameters);
     for (const Passed& p : inst.matched.passed) {
         Value value = eval(p.value, frame);
-        if (p.to == Passed::To::kParameter) arguments[p.target] = std::move(value);
+        if (p.to == Passed::To::kParameter) stack_[base + p.target] = std::move(value);
         else if (p.to == Passed::To::kDynamic) set_dynamic(p.target, std::move(value));
-        count = std::max(count, p.to == Passed::To::kParameter ? p.target + 1 : 0);
     }
     const std::size_t first = pending_.size();
-    const Placement outer = placement_;
     FrameRef block(nullptr);
     Frame* inside = frame;
     if (children && builtin.takes_children) {
@@ -123,14 +120,19 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
         }
         run_binds(*children, inside);
     }
-    ModuleUse use{*this, inst.place, {arguments, kMaxModuleParameters}};
+    ModuleUse use{*this, inst.place, {stack_.data() + base, inst.parameters}};
     std::optional<scene::What> what = builtin.run(use);
-    if (what) {
-        if (const scene::Transform* t = std::get_if<scene::Transform>(&*what)) placement_ = placement_ * t->placement;
-        if (children && builtin.takes_children) make_all(*children, inside);
-        add_node(inst, std::move(*what), first);
+    stack_.resize(base);
+    if (!what) return;
+    if (const scene::Transform* t = std::get_if<scene::Transform>(&*what); t && children && program_.sees_lights) {
+        const Placement outer = placement_;
+        placement_ = placement_ * t->placement;
+        make_all(*children, inside);
+        placement_ = outer;
+    } else if (children && builtin.takes_children) {
+        make_all(*children, inside);
     }
-    placement_ = outer;
+    add_node(inst, std::move(*what), first);
 }
 
 void Machine::make_user(const Inst& inst, Frame* frame) {

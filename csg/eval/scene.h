@@ -12,6 +12,7 @@
 
 #include "csg/base/vec.h"
 #include "csg/eval/matter.h"
+#include "csg/eval/node_list.h"
 #include "csg/lang/source.h"
 #include "csg/solid/text_outline.h"
 
@@ -68,9 +69,11 @@ struct Surface { std::string path, name; bool center = false, invert = false; st
 // `csg` is how a .csg file writes it, without children.
 struct Unsupported { std::string name; std::string csg; };
 
+// What few nodes are and needs much room stands in a box; everything else fits in the 96 bytes of a placement.
 using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
-                          Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Matter, LinearExtrude, RotateExtrude, Render, Resize, Offset,
-                          Projection, Text, Part, Moving, Import, Surface, Unsupported>;
+                          Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Boxed<Matter>, LinearExtrude, RotateExtrude, Render, Resize, Offset,
+                          Projection, Boxed<Text>, Part, Boxed<Moving>, Boxed<Import>, Boxed<Surface>, Unsupported>;
+static_assert(sizeof(What) <= 104);
 
 }  // namespace scene
 
@@ -78,7 +81,7 @@ enum Modifier : std::uint8_t { kBackground = 1, kHighlight = 2, kRoot = 4 };  //
 
 struct SceneNode {
     scene::What what;
-    std::vector<SceneNodeId> children;
+    ChildIds children;
     SourcePlace place;
     Facets facets;
     std::uint8_t modifiers = 0;
@@ -88,7 +91,7 @@ struct SceneNode {
 struct ViewVariables { std::optional<Vec3> rotation_deg, target; std::optional<double> distance, fov_deg; };
 
 struct Scene {
-    std::vector<SceneNode> nodes;  // children before parents is not promised; ids index this
+    BlockList<SceneNode> nodes;  // children before parents is not promised; ids index this
     SceneNodeId root = 0;          // always a Group; a `!` is already resolved: the root is then a group around that node
     std::vector<Light> lights;
     std::optional<Camera> camera;

@@ -1,7 +1,6 @@
 #include "csg/eval/value.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -51,11 +50,12 @@ void* Heap::allocate_new(std::size_t bytes) {
     }
     const std::size_t rounded = index * kStep;
     if (slab_left_ < rounded) {
-        constexpr std::size_t kSlab = 64 * 1024;
-        slabs_.push_back(std::malloc(kSlab));
+        constexpr std::size_t kFirst = 64 * 1024, kDoublings = 6;
+        const std::size_t slab = kFirst << std::min(slabs_.size(), kDoublings);
+        slabs_.push_back(std::malloc(slab));
         if (!slabs_.back()) throw std::bad_alloc();
         slab_ = static_cast<char*>(slabs_.back());
-        slab_left_ = kSlab;
+        slab_left_ = slab;
     }
     char* block = slab_;
     slab_ += rounded;
@@ -84,7 +84,8 @@ std::uint32_t count_points(std::string_view text) {
     for (; i + 8 <= text.size(); i += 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, text.data() + i, 8);
-        continuing += static_cast<std::size_t>(std::popcount((word >> 7) & ~(word >> 6) & 0x0101010101010101u));
+        constexpr std::uint64_t kOnes = 0x0101010101010101u;
+        continuing += (((word >> 7) & ~(word >> 6) & kOnes) * kOnes) >> 56;
     }
     for (; i < text.size(); ++i) continuing += (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
     return static_cast<std::uint32_t>(text.size() - continuing);

@@ -10,8 +10,14 @@ namespace {
 
 template <class T>
 const T* first(const Scene& scene) {
-    for (const SceneNode& node : scene.nodes)
-        if (const T* found = std::get_if<T>(&node.what)) return found;
+    constexpr bool kBoxed = std::is_same_v<T, scene::Matter> || std::is_same_v<T, scene::Moving>;
+    for (const SceneNode& node : scene.nodes) {
+        if constexpr (kBoxed) {
+            if (const Boxed<T>* found = std::get_if<Boxed<T>>(&node.what)) return &found->get();
+        } else {
+            if (const T* found = std::get_if<T>(&node.what)) return found;
+        }
+    }
     return nullptr;
 }
 
