@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/solid/outside.h"
+#include "modeler/io/file_imports.h"
 #include "modeler/mesh/mesh.h"
 
 namespace whittle {
@@ -15,11 +16,13 @@ public:
     explicit Files(MeshOptions mesh = {}) : mesh_(mesh) {}
     Result<std::string> read_text(const std::string& path) override;
     bool exists(const std::string& path) override;
+    Imports* imports() override { return &imports_; }
     Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) override;
     Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) override;
 
 private:
     MeshOptions mesh_;
+    FileImports imports_;
 };
 
 // Where `use <...>` looks after the including file's own folder: OPENSCADPATH, the user's library folder, the system's. Folders that exist only.
