@@ -1,4 +1,6 @@
 // outside.h — what reading a scene needs from outside the language: one interface, served by modeler (files, glyphs, meshes) and by tests.
+//
+// What a server does not offer is a kScene fault; the caller leaves the node out and says so.
 #pragma once
 
 #include <memory>
@@ -8,10 +10,16 @@
 
 #include "csg/base/result.h"
 #include "csg/solid/solid.h"
+#include "csg/solid/text_outline.h"
 
 namespace whittle {
 
 class Imports;  // csg/solid/imported.h
+
+// Contours of a flat set: outer ones counter-clockwise, holes clockwise, none crossing.
+using FlatContours = std::vector<std::vector<Vec2>>;
+
+enum class RoofMethod { kVoronoi, kStraight };
 
 class Outside {
 public:
@@ -21,9 +29,22 @@ public:
     virtual bool exists(const std::string& path) = 0;
     // Readers of meshes, drawings and heights; null where there are none.
     virtual Imports* imports() { return nullptr; }
-    // A mesh where no exact form exists (hull, minkowski, shadow projection ...): kScene fault when not served.
+
+    // Glyphs. A font of the scene's own is known from then on.
+    virtual void add_font(const std::string& /*path*/) {}
+    virtual Result<TextOutline> text(const TextRequest& /*request*/, GlyphGrid /*grid*/) { return fail(Fault::kScene, "no fonts here"); }
+    virtual Result<FontMetrics> font_metrics(const std::string& /*font*/, double /*size*/) { return fail(Fault::kScene, "no fonts here"); }
+
+    // A mesh where no exact form exists. Operands are of one dimension, 3D; none is empty.
     virtual Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) = 0;
     virtual Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) = 0;
+    // What the operand covers seen along z, and its section with z = 0.
+    virtual Result<FlatContours> shadow(const Solid& /*solid*/, const Use& /*operand*/) { return fail(Fault::kScene, "no meshes here"); }
+    virtual Result<FlatContours> section(const Solid& /*solid*/, const Use& /*operand*/) { return fail(Fault::kScene, "no meshes here"); }
+    // The roof over a flat set: height equals distance from the border (kVoronoi), or planes of 45 degrees over each side (kStraight).
+    virtual Result<std::shared_ptr<const FacetList>> roof(const FlatContours& /*floor*/, RoofMethod /*method*/, double /*tolerance*/) {
+        return fail(Fault::kScene, "no meshes here");
+    }
 };
 
 }  // namespace whittle

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "csg/base/file.h"
+#include "modeler/io/fonts.h"
 #include "modeler/mesh/outside_mesh.h"
 
 namespace whittle {
@@ -14,6 +15,22 @@ Result<std::string> Files::read_text(const std::string& path) { return read_whol
 bool Files::exists(const std::string& path) {
     std::error_code fault;
     return std::filesystem::is_regular_file(path, fault);
+}
+
+void Files::add_font(const std::string& path) {
+    if (const auto fonts = system_fonts()) (*fonts)->add(path);
+}
+
+Result<TextOutline> Files::text(const TextRequest& request, GlyphGrid grid) {
+    const auto fonts = system_fonts();
+    if (!fonts) return tl::unexpected(fonts.error());
+    return (*fonts)->text(request, grid);
+}
+
+Result<FontMetrics> Files::font_metrics(const std::string& font, double size) {
+    const auto fonts = system_fonts();
+    if (!fonts) return tl::unexpected(fonts.error());
+    return (*fonts)->metrics(font, size);
 }
 
 Result<std::shared_ptr<const FacetList>> Files::hull(const Solid& solid, const std::vector<Use>& operands) { return hull_of(solid, operands, mesh_); }

@@ -17,6 +17,9 @@ public:
     Result<std::string> read_text(const std::string& path) override;
     bool exists(const std::string& path) override;
     Imports* imports() override { return &imports_; }
+    void add_font(const std::string& path) override;
+    Result<TextOutline> text(const TextRequest& request, GlyphGrid grid) override;
+    Result<FontMetrics> font_metrics(const std::string& font, double size) override;
     Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) override;
     Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) override;
 
