@@ -30,7 +30,10 @@ Value function_len(FunctionCall& call) {
 
 Value function_str(FunctionCall& call) {
     std::string out;
-    for (const Value& v : call.arguments) out += call.machine.bare_text_of(v);
+    for (const Value& v : call.arguments) {
+        if (v.is_string()) out += v.string();
+        else call.machine.append_text(out, v);
+    }
     return call.machine.heap().string(out);
 }
 

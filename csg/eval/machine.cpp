@@ -10,7 +10,7 @@ namespace whittle {
 using namespace code;
 
 Machine::Machine(const Program& program, const Names& names, Heap& heap, const EvaluateInput& input, Diagnostics& diagnostics, const RunFiles& files)
-    : program_(program), terms_(program.terms.data()), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), files_(files), cells_(program.dynamics.size(), Value::unset()),
+    : program_(program), terms_(program.terms.data()), constants_(program.constants.data()), names_(names), heap_(heap), input_(input), diagnostics_(diagnostics), files_(files), cells_(program.dynamics.size(), Value::unset()),
       last_matches_(program.value_calls.size()) {
     cells_[kFn] = Value(0.0);
     cells_[kFa] = Value(12.0);

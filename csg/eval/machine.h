@@ -78,7 +78,7 @@ private:
 
     // Expressions (run_expression.cpp).
     Value eval(TermId id, Frame* frame);
-    const Value& operand(TermId id, Frame* frame, Value& hold);
+    inline const Value& operand(TermId id, Frame* frame, Value& hold);
     bool truth(TermId id, Frame* frame);
     Value eval_arithmetic(const code::Term& term, TermId id, Frame* frame);
     Value eval_comparison(const code::Term& term, TermId id, Frame* frame);
@@ -177,6 +177,7 @@ private:
 
     const code::Program& program_;
     const code::Term* terms_;
+    const Value* constants_;
     const Names& names_;
     Heap& heap_;
     const EvaluateInput& input_;
@@ -200,5 +201,22 @@ private:
     std::uint64_t ticks_ = 0;
     std::chrono::steady_clock::time_point deadline_{};
 };
+
+// The frame that many levels outwards.
+inline Frame* up(Frame* frame, std::uint32_t levels) {
+    for (; levels > 0; --levels) frame = frame->parent;
+    return frame;
+}
+
+// The value of a term without a copy where it lies in a slot or is constant, else evaluated into `hold`. A slot keeps its value while other parts of the same
+// expression are evaluated: every let, for and parameter has a slot of its own, and every call a frame of its own.
+const Value& Machine::operand(TermId id, Frame* frame, Value& hold) {
+    const code::Term& term = terms_[id];
+    if (term.op == code::Op::kSlot) return frame->slots()[term.a];
+    if (term.op == code::Op::kConstant) return constants_[term.a];
+    if (term.op == code::Op::kOuter) return up(frame, term.a)->slots()[term.b];
+    hold = eval(id, frame);
+    return hold;
+}
 
 }  // namespace whittle

@@ -58,6 +58,7 @@ void Machine::push_elements(TermId id, Frame* frame) {
             const FrameRef inner(heap_.frame(program_.frame_sizes[term.b], frame));
             return push_elements(term.a, inner.get());
         }
+        case Op::kSlot: stack_.push_back(frame->slots()[term.a]); return;
         default: stack_.push_back(eval(id, frame)); return;
     }
 }
@@ -80,13 +81,14 @@ void Machine::for_values(const Value& values, std::uint32_t limit, SourcePlace p
 }
 
 void Machine::push_for(const Term& term, TermId id, std::uint32_t level, Frame* frame) {
-    if (level == term.c) return push_elements(term.a, frame);
+    if (term.c == 0) return push_elements(term.a, frame);
     const Bind& variable = program_.binds[term.b + level];
     const Value values = eval(variable.value, frame);
     for_values(values, kMaxIterations, program_.places[id], [&](const Value& value) {
         tick();
         set_loop_variable(variable, value, frame);
-        push_for(term, id, level + 1, frame);
+        if (level + 1 == term.c) push_elements(term.a, frame);
+        else push_for(term, id, level + 1, frame);
     });
 }
 
@@ -121,8 +123,8 @@ Frame* Machine::copy_frame(Frame* frame, std::uint32_t size) {
 
 // A loop variable named twice is set by the inner loop.
 void Machine::set_loop_variable(const Bind& variable, const Value& value, Frame* frame) {
-    if (variable.kind == BindKind::kDynamic) set_dynamic(variable.target, value);
-    else if (variable.kind != BindKind::kNameless) frame->slots()[variable.target] = value;
+    if (variable.kind == BindKind::kSlot || variable.kind == BindKind::kDuplicate) frame->slots()[variable.target] = value;
+    else if (variable.kind == BindKind::kDynamic) set_dynamic(variable.target, value);
 }
 
 void Machine::push_for_c(const Loop& loop, TermId id, Frame* frame) {

@@ -13,11 +13,6 @@ using namespace code;
 
 namespace {
 
-Frame* up(Frame* frame, std::uint32_t levels) {
-    for (; levels > 0; --levels) frame = frame->parent;
-    return frame;
-}
-
 bool compare(Op op, double a, double b) {
     switch (op) {
         case Op::kLess: return a < b;
@@ -45,17 +40,6 @@ ast::Op general(Op op) {
 }
 
 }  // namespace
-
-// The value of a term without a copy where it lies in a slot or is constant, else evaluated into `hold`. A slot keeps its value while other parts of the same
-// expression are evaluated: every let, for and parameter has a slot of its own, and every call a frame of its own.
-const Value& Machine::operand(TermId id, Frame* frame, Value& hold) {
-    const Term& term = terms_[id];
-    if (term.op == Op::kSlot) return frame->slots()[term.a];
-    if (term.op == Op::kConstant) return program_.constants[term.a];
-    if (term.op == Op::kOuter) return up(frame, term.a)->slots()[term.b];
-    hold = eval(id, frame);
-    return hold;
-}
 
 bool Machine::truth(TermId id, Frame* frame) {
     const Term& term = terms_[id];

@@ -1,6 +1,8 @@
 #include "csg/eval/value_text.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -12,8 +14,28 @@ namespace {
 
 constexpr int kDigits = 6;
 
-// The six significant digits of a positive number, halves rounded up as double-conversion does, and the exponent of the first.
-int six_digits(double number, char (&digits)[kDigits]) {
+// Ten to that power, exact where it can be.
+constexpr double kTens[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kMostTens = 22;
+
+// The six significant digits of a positive number, halves rounded up as double-conversion does, and the exponent of the first: where the product with an exact
+// power of ten, off by half an ulp of itself, leaves no doubt. Nothing near a half or a border of two exponents is answered.
+bool quick_six_digits(double number, std::uint32_t& digits, int& exponent) {
+    if (!(number >= 1e-15 && number < 1e20)) return false;
+    exponent = static_cast<int>(std::floor(std::log10(number)));
+    const int shift = kDigits - 1 - exponent;
+    if (shift > kMostTens || -shift > kMostTens) return false;
+    const double scaled = shift >= 0 ? number * kTens[shift] : number / kTens[-shift];
+    if (!(scaled >= 1e5 && scaled < 999999.25)) return false;
+    const double below = std::floor(scaled), rest = scaled - below;
+    if (std::fabs(rest - 0.5) < 0x1p-30) return false;  // an ulp of 1e6 is 2^-33
+    digits = static_cast<std::uint32_t>(below) + (rest > 0.5 ? 1 : 0);
+    return true;
+}
+
+// Likewise, always: by all the digits it takes.
+int sure_six_digits(double number, std::uint32_t& value) {
+    char digits[kDigits];
     const auto write = [&](int decimals, char (&text)[40]) {
         *fmt::format_to(text, "{:.{}e}", number, decimals) = '\0';
         int exponent = 0;
@@ -30,15 +52,29 @@ int six_digits(double number, char (&digits)[kDigits]) {
     if (text[7] == '5' && zeros_from(8, 14)) exponent = write(24, text);
     digits[0] = text[0];
     for (int i = 1; i < kDigits; ++i) digits[i] = text[i + 1];
-    if (text[7] < '5') return exponent;
-    int i = kDigits - 1;
-    while (i >= 0 && digits[i] == '9') digits[i--] = '0';
-    if (i >= 0) {
-        ++digits[i];
-        return exponent;
+    value = 0;
+    for (const char digit : digits) value = value * 10 + static_cast<std::uint32_t>(digit - '0');
+    if (text[7] >= '5' && ++value == 1000000) {
+        value = 100000;
+        ++exponent;
     }
-    digits[0] = '1';
-    return exponent + 1;
+    return exponent;
+}
+
+int six_digits(double number, char (&digits)[kDigits]) {
+    std::uint32_t value = 0;
+    int exponent = 0;
+    if (!quick_six_digits(number, value, exponent)) exponent = sure_six_digits(number, value);
+    for (int i = kDigits; i-- > 0; value /= 10) digits[i] = static_cast<char>('0' + value % 10);
+    return exponent;
+}
+
+void append_integer(std::string& out, std::uint32_t number) {
+    char text[10];
+    int at = 10;
+    do text[--at] = static_cast<char>('0' + number % 10);
+    while ((number /= 10) > 0);
+    out.append(text + at, static_cast<std::size_t>(10 - at));
 }
 
 }  // namespace
@@ -53,8 +89,8 @@ void append_number(std::string& out, double number) {
         return;
     }
     if (std::fabs(number) < 100000 && number == std::trunc(number)) {
-        fmt::format_to(std::back_inserter(out), "{}", static_cast<int>(number));
-        return;
+        if (number < 0) out.push_back('-');
+        return append_integer(out, static_cast<std::uint32_t>(std::fabs(number)));
     }
     if (number < 0) out.push_back('-');
     char digits[kDigits];
@@ -65,7 +101,8 @@ void append_number(std::string& out, double number) {
         out.push_back(digits[0]);
         if (count > 1) out.push_back('.');
         out.append(digits + 1, static_cast<std::size_t>(count - 1));
-        fmt::format_to(std::back_inserter(out), "e{:+}", exponent);
+        out += exponent < 0 ? "e-" : "e+";
+        append_integer(out, static_cast<std::uint32_t>(std::abs(exponent)));
     } else if (exponent < 0) {
         out += "0.";
         out.append(static_cast<std::size_t>(-exponent - 1), '0');
