@@ -54,13 +54,16 @@ Made make_render(ModuleUse& use) { return scene::Render{read_convexity(use[0], 1
 Made make_projection(ModuleUse& use) {
     return scene::Projection{use[0].is_bool() && use[0].boolean(), read_convexity(use[1], 0)};
 }
+// The methods of the development version; unknown ones are the first.
 Made make_roof(ModuleUse& use) {
-    (void)use;
-    return scene::Unsupported{"roof", "roof()"};
-}
-Made make_fill(ModuleUse& use) {
-    (void)use;
-    return scene::Unsupported{"fill", "fill()"};
+    scene::Roof out{"voronoi", read_convexity(use[1], 1)};
+    if (use[0].is_string()) {
+        if (use[0].string() == "straight" || use[0].string() == "voronoi") out.method = std::string(use[0].string());
+        else use.machine.warn(use.place, "Unknown roof method '" + std::string(use[0].string()) + "'. Using 'voronoi'.");
+    } else if (!use[0].is_undef()) {
+        use.machine.warn(use.place, "Unable to convert roof(method=" + use.machine.text_of(use[0]) + ") parameter to a string");
+    }
+    return out;
 }
 
 constexpr std::string_view kExtrude = "file layer height origin scale center twist slices";
@@ -107,7 +110,7 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"dxf_rotate_extrude", kRevolve, kRevolveNamed, true, make_rotate_extrude, kRevolveForm},
     {"offset", "r", "delta chamfer", true, make_offset, "offset(r) or offset(delta=, chamfer=)"},
     {"projection", "cut", "convexity", true, make_projection, "projection(cut)"},
-    {"fill", "", "", true, make_fill, "fill()"},
+    {"fill", "", "", true, plain<scene::Fill>, "fill()"},
     {"roof", "method", "convexity", true, make_roof, "roof(method)"},
     {"text", "text size font", "direction language script halign valign spacing", false, make_text, "text(\"text\", size, font)"},
     {"import", kImport, kImportNamed, false, make_import, kImportForm},

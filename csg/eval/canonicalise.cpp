@@ -52,6 +52,7 @@ Canonicaliser::Canonicaliser(const Scene& scene, const CanonicaliseOptions& opti
 Canonical Canonicaliser::run() {
     const Made made = scene_.nodes.empty() ? Made{} : make(scene_.root);
     note_facets();
+    note_fallbacks();
     Canonical result;
     result.is_2d = made.dimension == Dimension::kFlat;
     result.something_left_out = something_left_out_;
@@ -65,6 +66,7 @@ Canonical Canonicaliser::run() {
         root = Use{};
         root.node = builder_.combine(SetOp::kUnion, shown);
     }
+    for (const auto& [module, count] : fallbacks_) result.mesh_fallbacks += static_cast<std::uint64_t>(count);
     result.skipped = builder_.skipped();
     result.solid = builder_.finish(root);
     return result;
@@ -86,8 +88,8 @@ struct Canonicaliser::Visit {
     Made operator()(const scene::Render&) { return c.united(id); }
     Made operator()(const scene::Difference&) { return c.combined(id, SetOp::kDifference); }
     Made operator()(const scene::Intersection&) { return c.combined(id, SetOp::kIntersection); }
-    Made operator()(const scene::Hull&) { return c.made_outside(id, "hull"); }
-    Made operator()(const scene::Minkowski&) { return c.made_outside(id, "minkowski"); }
+    Made operator()(const scene::Hull&) { return c.hulled(id); }
+    Made operator()(const scene::Minkowski&) { return c.summed(id); }
     Made operator()(const scene::Transform& what) { return c.transformed(id, what.placement); }
     Made operator()(const scene::Color& what) {
         Label label;
@@ -101,7 +103,9 @@ struct Canonicaliser::Visit {
     Made operator()(const scene::LinearExtrude& what) { return c.extruded(id, what); }
     Made operator()(const scene::RotateExtrude& what) { return c.revolved(id, what); }
     Made operator()(const scene::Offset& what) { return c.offset(id, what); }
-    Made operator()(const scene::Projection&) { return c.left_out(node.place, "projection() is not supported yet, left out"); }
+    Made operator()(const scene::Projection& what) { return c.projected(id, what); }
+    Made operator()(const scene::Fill&) { return c.filled(id); }
+    Made operator()(const scene::Roof& what) { return c.roofed(id, what); }
     Made operator()(const scene::Unsupported& what) { return c.left_out(node.place, what.name + "() is not supported yet, left out"); }
     template <class T>
     Made operator()(const Boxed<T>& what) { return (*this)(what.get()); }
@@ -213,19 +217,6 @@ Made Canonicaliser::labelled(SceneNodeId id, Label label) {
     Made made = united(id);
     if (profile_depth_ == 0) made.use = builder_.labelled(label, made.use);
     return made;
-}
-
-Made Canonicaliser::made_outside(SceneNodeId id, const char* name) {
-    Operands operands = collect_each(id);
-    const SourcePlace place = scene_.nodes[id].place;
-    operands.uses.erase(std::remove_if(operands.uses.begin(), operands.uses.end(), [](const Use& use) { return use.node == kEmptyNode; }),
-                        operands.uses.end());
-    if (operands.uses.empty()) return {};
-    if (!outside_ || operands.dimension == Dimension::kFlat) return left_out(place, fmt::format("{}() is not supported yet, left out", name));
-    const bool hull = std::holds_alternative<scene::Hull>(scene_.nodes[id].what);
-    auto mesh = hull ? outside_->hull(builder_.so_far(), operands.uses) : outside_->minkowski(builder_.so_far(), operands.uses);
-    if (!mesh) return left_out(place, fmt::format("{}() is not supported yet, left out", name), mesh.error().message);
-    return leaf(scene_.nodes[id], shape::Polyhedron{*mesh});
 }
 
 Made Canonicaliser::left_out(SourcePlace place, std::string text, std::string hint) {

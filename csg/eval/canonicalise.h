@@ -23,6 +23,7 @@ struct Canonical {
     bool is_2d = false;
     bool something_left_out = false;  // a module not there yet, mixed dimensions, dropped geometry: exit code 1
     SkipCounts skipped;
+    std::uint64_t mesh_fallbacks = 0;  // operands that became meshes for want of an exact form
 };
 
 // Never fails: what cannot be made is left out with a diagnostic and `something_left_out`. `outside` may be null.

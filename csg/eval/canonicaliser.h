@@ -36,7 +36,6 @@ private:
     Made make_what(SceneNodeId id);
     Made united(SceneNodeId id);
     Made combined(SceneNodeId id, SetOp op);
-    Made made_outside(SceneNodeId id, const char* name);
     Made transformed(SceneNodeId id, const Placement& placement);
     Made moving(SceneNodeId id, const scene::Moving& what);
     Made resized(SceneNodeId id, const scene::Resize& what);
@@ -86,6 +85,21 @@ private:
     std::optional<Use> grown(const Use& flat, double delta);
     Use grown_outline(const Use& flat, double delta);
 
+    // Hull, minkowski, projection, fill, roof (canonicalise_hull.cpp).
+    Made hulled(SceneNodeId id);
+    Made summed(SceneNodeId id);
+    Made projected(SceneNodeId id, const scene::Projection& what);
+    Made filled(SceneNodeId id);
+    Made roofed(SceneNodeId id, const scene::Roof& what);
+    Made owned(const SceneNode& node, Use use);
+    Made owned_polygon(const SceneNode& node, Contours contours);
+    Operands bare_operands(SceneNodeId id);
+    Result<Use> sum_of(const Use& a, const Use& b);
+    Result<std::shared_ptr<const FacetList>> facets_of_use(const char* module, const Use& use);
+    Contours outline_of(const Use& flat);
+    bool has_corners_only(NodeId id) const;
+    void note_fallbacks();
+
     // 0 where the true curve is meant, else the number of facets of a circle of radius r.
     int facets_of_circle(const SceneNode& node, double r);
     Resolution resolution(const SceneNode& node) const { return {node.facets.fn, node.facets.fa, node.facets.fs}; }
@@ -107,6 +121,8 @@ private:
     std::map<std::string, ImportedMesh> imported_;  // by path: each file is read once
     int faceted_solids_ = 0;       // for the note: solids of many facets, and the largest $fn
     double largest_fn_ = 0;
+    std::map<NodeId, std::shared_ptr<const FacetList>> meshes_;  // what operations without an exact form asked for
+    std::map<std::string, int> fallbacks_;                       // and how often, by module
 };
 
 }  // namespace whittle

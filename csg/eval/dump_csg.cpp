@@ -110,6 +110,8 @@ struct Head {
         return fmt::format("offset(delta = {}, chamfer = {}, {})", stream(o.delta), o.chamfer, facets());
     }
     std::string operator()(const scene::Projection& p) const { return fmt::format("projection(cut = {}, convexity = {})", p.cut, p.convexity); }
+    std::string operator()(const scene::Fill&) const { return "fill()"; }
+    std::string operator()(const scene::Roof& r) const { return fmt::format("roof(method = \"{}\", convexity = {}, {})", r.method, r.convexity, facets()); }
     std::string operator()(const scene::Text& t) const { return t.csg; }
     std::string operator()(const scene::Part& p) const { return "part(\"" + p.name + "\")"; }
     std::string operator()(const scene::Moving& m) const { return "moving(" + matrix(m.start) + ", " + matrix(m.end) + ")"; }

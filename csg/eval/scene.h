@@ -56,6 +56,8 @@ struct Render { int convexity = 1; };
 struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; int convexity = 0; };
 struct Offset { double delta = 0; bool round = true; bool chamfer = false; };
 struct Projection { bool cut = false; int convexity = 0; };
+struct Fill {};
+struct Roof { std::string method; int convexity = 1; };
 struct Text { TextRequest request; std::string csg; };
 struct Part { std::string name; };
 struct Moving { Placement start, end; };
@@ -72,7 +74,7 @@ struct Unsupported { std::string name; std::string csg; };
 // What few nodes are and needs much room stands in a box; everything else fits in the 96 bytes of a placement.
 using What = std::variant<Group, Cube, Sphere, Cylinder, Polyhedron, Square, Circle, Polygon, Torus, Ellipsoid, HalfSpace, Quadric, Capsule, RoundCube,
                           Union, Difference, Intersection, Hull, Minkowski, Transform, Color, Boxed<Matter>, LinearExtrude, RotateExtrude, Render, Resize, Offset,
-                          Projection, Boxed<Text>, Part, Boxed<Moving>, Boxed<Import>, Boxed<Surface>, Unsupported>;
+                          Projection, Fill, Roof, Boxed<Text>, Part, Boxed<Moving>, Boxed<Import>, Boxed<Surface>, Unsupported>;
 static_assert(sizeof(What) <= 104);
 
 }  // namespace scene

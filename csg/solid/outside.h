@@ -19,8 +19,6 @@ class Imports;  // csg/solid/imported.h
 // Contours of a flat set: outer ones counter-clockwise, holes clockwise, none crossing.
 using FlatContours = std::vector<std::vector<Vec2>>;
 
-enum class RoofMethod { kVoronoi, kStraight };
-
 class Outside {
 public:
     virtual ~Outside() = default;
@@ -35,16 +33,10 @@ public:
     virtual Result<TextOutline> text(const TextRequest& /*request*/, GlyphGrid /*grid*/) { return fail(Fault::kScene, "no fonts here"); }
     virtual Result<FontMetrics> font_metrics(const std::string& /*font*/, double /*size*/) { return fail(Fault::kScene, "no fonts here"); }
 
-    // A mesh where no exact form exists. Operands are of one dimension, 3D; none is empty.
-    virtual Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) = 0;
-    virtual Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) = 0;
-    // What the operand covers seen along z, and its section with z = 0.
-    virtual Result<FlatContours> shadow(const Solid& /*solid*/, const Use& /*operand*/) { return fail(Fault::kScene, "no meshes here"); }
-    virtual Result<FlatContours> section(const Solid& /*solid*/, const Use& /*operand*/) { return fail(Fault::kScene, "no meshes here"); }
-    // The roof over a flat set: height equals distance from the border (kVoronoi), or planes of 45 degrees over each side (kStraight).
-    virtual Result<std::shared_ptr<const FacetList>> roof(const FlatContours& /*floor*/, RoofMethod /*method*/, double /*tolerance*/) {
-        return fail(Fault::kScene, "no meshes here");
-    }
+    // A mesh where no exact form exists: the facets of a 3D use, closed, in the frame above it, within the server's tolerance.
+    virtual Result<std::shared_ptr<const FacetList>> mesh(const Solid& /*solid*/, const Use& /*use*/) { return fail(Fault::kScene, "no meshes here"); }
+    // The roof of 45 degrees over each side of a floor that is not convex, by its straight skeleton.
+    virtual Result<std::shared_ptr<const FacetList>> straight_roof(const FlatContours& /*floor*/) { return fail(Fault::kScene, "no meshes here"); }
 };
 
 }  // namespace whittle

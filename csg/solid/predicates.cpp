@@ -34,14 +34,16 @@ bool are_collinear(Vec3 a, Vec3 b, Vec3 c) {
     return p[1] * q[2] == p[2] * q[1] && p[2] * q[0] == p[0] * q[2] && p[0] * q[1] == p[1] * q[0];
 }
 
-bool are_coplanar(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+int side_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const Vec3 u = b - a, v = c - a, w = d - a;
-    const double det = glm::dot(u, glm::cross(v, w));
+    const double det = glm::dot(w, glm::cross(u, v));
     const Vec3 su = glm::abs(u), sv = glm::abs(v), sw = glm::abs(w);
-    const double size = su.x * (sv.y * sw.z + sv.z * sw.y) + su.y * (sv.z * sw.x + sv.x * sw.z) + su.z * (sv.x * sw.y + sv.y * sw.x);
-    if (std::fabs(det) > kVolumeError * size) return false;
+    const double size = sw.x * (su.y * sv.z + su.z * sv.y) + sw.y * (su.z * sv.x + su.x * sv.z) + sw.z * (su.x * sv.y + su.y * sv.x);
+    if (std::fabs(det) > kVolumeError * size) return det > 0 ? 1 : -1;
     const Exact p = exact_difference(b, a), q = exact_difference(c, a), r = exact_difference(d, a);
-    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]) == 0;
+    return sgn(mpq_class(r[0] * (p[1] * q[2] - p[2] * q[1]) + r[1] * (p[2] * q[0] - p[0] * q[2]) + r[2] * (p[0] * q[1] - p[1] * q[0])));
 }
+
+bool are_coplanar(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return side_of(a, b, c, d) == 0; }
 
 }  // namespace whittle

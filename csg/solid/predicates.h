@@ -11,5 +11,7 @@ namespace whittle {
 int turn_of(Vec2 a, Vec2 b, Vec2 c);
 bool are_collinear(Vec3 a, Vec3 b, Vec3 c);
 bool are_coplanar(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+// 1 where d lies above the plane of a, b, c (they turn left seen from d), -1 below, 0 in it.
+int side_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 }  // namespace whittle

@@ -141,29 +141,57 @@ Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
     return clipping.contours(clipping.of_node(node, {}));
 }
 
-Contours offset_contours(const Contours& contours, double delta, Join join, int fragments) {
-    double size = std::fabs(delta);
-    for (const auto& contour : contours)
-        for (const Vec2& p : contour) size = std::max({size, std::fabs(p.x), std::fabs(p.y)});
-    const double scale = scale_for(size);
-    if (!(scale > 0) || !std::isfinite(scale)) return {};
+namespace {
+
+double grid_of(const std::vector<std::vector<Vec2>>& rings, double at_least) {
+    double size = at_least;
+    for (const auto& ring : rings)
+        for (const Vec2& p : ring) size = std::max({size, std::fabs(p.x), std::fabs(p.y)});
+    return scale_for(size);
+}
+
+Paths on_grid(const std::vector<std::vector<Vec2>>& rings, double scale) {
     Paths paths;
-    for (const auto& contour : contours) {
+    for (const auto& ring : rings) {
         Path& path = paths.emplace_back();
-        for (const Vec2& p : contour) path.emplace_back(std::llround(p.x * scale), std::llround(p.y * scale));
+        for (const Vec2& p : ring) path.emplace_back(std::llround(p.x * scale), std::llround(p.y * scale));
     }
+    return paths;
+}
+
+Contours off_grid(const Paths& paths, double scale) {
+    Contours out;
+    for (const Path& path : paths) {
+        auto& contour = out.emplace_back();
+        for (const IntPoint& p : path) contour.emplace_back(static_cast<double>(p.X) / scale, static_cast<double>(p.Y) / scale);
+    }
+    return out;
+}
+
+}  // namespace
+
+Contours united_rings(const std::vector<std::vector<Vec2>>& rings) {
+    const double scale = grid_of(rings, 0);
+    if (!(scale > 0) || !std::isfinite(scale)) return {};
+    ClipperLib::Clipper clipper;
+    clipper.StrictlySimple(true);
+    clipper.AddPaths(on_grid(rings, scale), ClipperLib::ptSubject, true);
+    Paths result;
+    clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    return off_grid(result, scale);
+}
+
+Contours offset_contours(const Contours& contours, double delta, Join join, int fragments) {
+    const double scale = grid_of(contours, std::fabs(delta));
+    if (!(scale > 0) || !std::isfinite(scale)) return {};
+    const Paths paths = on_grid(contours, scale);
     const double arc_tolerance = std::fabs(delta) * (1 - cosd(180.0 / std::max(3, fragments)));
     ClipperLib::ClipperOffset offset(kMiterLimit, arc_tolerance * scale);
     const ClipperLib::JoinType type = join == Join::kRound ? ClipperLib::jtRound : join == Join::kMiter ? ClipperLib::jtMiter : ClipperLib::jtSquare;
     offset.AddPaths(paths, type, ClipperLib::etClosedPolygon);
     Paths result;
     offset.Execute(result, delta * scale);
-    Contours out;
-    for (const Path& path : result) {
-        auto& contour = out.emplace_back();
-        for (const IntPoint& p : path) contour.emplace_back(static_cast<double>(p.X) / scale, static_cast<double>(p.Y) / scale);
-    }
-    return out;
+    return off_grid(result, scale);
 }
 
 }  // namespace whittle

@@ -16,6 +16,9 @@ inline constexpr double kProfileTolerance = 0x1p-14;
 // Requires: is_2d(node), tolerance > 0.
 Contours contours_of(const Solid& solid, NodeId node, double tolerance);
 
+// The union of rings, on the same kind of grid: inside is what they go round, on balance, at least once counter-clockwise.
+Contours united_rings(const std::vector<std::vector<Vec2>>& rings);
+
 enum class Join { kRound, kMiter, kSquare };
 
 // The set of the contours grown by delta (shrunk where negative), on the same kind of grid. Round corners become chords of a circle cut into

@@ -33,9 +33,9 @@ Result<FontMetrics> Files::font_metrics(const std::string& font, double size) {
     return (*fonts)->metrics(font, size);
 }
 
-Result<std::shared_ptr<const FacetList>> Files::hull(const Solid& solid, const std::vector<Use>& operands) { return hull_of(solid, operands, mesh_); }
+Result<std::shared_ptr<const FacetList>> Files::mesh(const Solid& solid, const Use& use) { return facets_by_mesh(solid, use, mesh_); }
 
-Result<std::shared_ptr<const FacetList>> Files::minkowski(const Solid& solid, const std::vector<Use>& operands) { return minkowski_of(solid, operands, mesh_); }
+Result<std::shared_ptr<const FacetList>> Files::straight_roof(const FlatContours& floor) { return roof_by_skeleton(floor); }
 
 std::vector<std::string> library_paths() {
     std::vector<std::string> candidates;

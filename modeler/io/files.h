@@ -10,7 +10,7 @@
 
 namespace whittle {
 
-// hull() and minkowski() are served by meshes, made with `mesh` (CGAL is opened for them).
+// Meshes are made with `mesh` (CGAL is opened for them).
 class Files : public Outside {
 public:
     explicit Files(MeshOptions mesh = {}) : mesh_(mesh) {}
@@ -20,8 +20,8 @@ public:
     void add_font(const std::string& path) override;
     Result<TextOutline> text(const TextRequest& request, GlyphGrid grid) override;
     Result<FontMetrics> font_metrics(const std::string& font, double size) override;
-    Result<std::shared_ptr<const FacetList>> hull(const Solid& solid, const std::vector<Use>& operands) override;
-    Result<std::shared_ptr<const FacetList>> minkowski(const Solid& solid, const std::vector<Use>& operands) override;
+    Result<std::shared_ptr<const FacetList>> mesh(const Solid& solid, const Use& use) override;
+    Result<std::shared_ptr<const FacetList>> straight_roof(const FlatContours& floor) override;
 
 private:
     MeshOptions mesh_;

@@ -1,64 +1,46 @@
 #include "modeler/mesh/outside_mesh.h"
 
-#include <cmath>
-
-#include "modeler/mesh/mesh_queries.h"
+#include "csg/base/module_file.h"
+#include "csg/solid/ear_clipping.h"
+#include "csg/solid/polyhedron.h"
+#include "modeler/mesh/cgal/roof_module.h"
 
 namespace whittle {
-namespace {
 
-// Rounding of a mesh's volume and of its hull's, against the volume: a dent that is smaller shows nowhere. Nor does one within the tessellation's
-// own error, which makes the facets of a ball not quite convex.
-constexpr double kConvexShare = 0x1p-30;
-
-std::shared_ptr<const FacetList> facets_of(const Mesh& mesh) {
+Result<std::shared_ptr<const FacetList>> facets_by_mesh(const Solid& solid, const Use& use, const MeshOptions& options) {
+    MeshControl control;
+    const auto made = mesh_use(solid, use, options, control);
+    if (!made) return tl::unexpected(made.error());
     auto list = std::make_shared<FacetList>();
-    list->points = mesh.points;
-    for (const Triangle& t : mesh.triangles) list->facets.push_back({t[0], t[1], t[2]});
+    list->points = made->mesh.points;
+    for (const Triangle& t : made->mesh.triangles) list->facets.push_back({t[0], t[1], t[2]});
     return list;
 }
 
-Result<MeshResult> operand_mesh(const Solid& solid, const Use& use, const MeshOptions& options) {
-    MeshControl control;
-    return mesh_use(solid, use, options, control);
-}
-
-}  // namespace
-
-Result<std::shared_ptr<const FacetList>> hull_of(const Solid& solid, const std::vector<Use>& operands, const MeshOptions& options) {
-    std::vector<Vec3> points;
-    for (const Use& use : operands) {
-        const auto made = operand_mesh(solid, use, options);
-        if (!made) return tl::unexpected(made.error());
-        points.insert(points.end(), made->mesh.points.begin(), made->mesh.points.end());
-    }
-    const auto hull = convex_hull(points);
-    if (!hull) return tl::unexpected(hull.error());
-    return facets_of(*hull);
-}
-
-Result<std::shared_ptr<const FacetList>> minkowski_of(const Solid& solid, const std::vector<Use>& operands, const MeshOptions& options) {
-    if (operands.empty()) return fail(Fault::kScene, "minkowski() of nothing");
-    std::vector<Vec3> sum;
-    for (std::size_t i = 0; i < operands.size(); ++i) {
-        const auto made = operand_mesh(solid, operands[i], options);
-        if (!made) return tl::unexpected(made.error());
-        const auto hull = convex_hull(made->mesh.points);
-        if (!hull) return tl::unexpected(hull.error());
-        const MassProperties own = mass_properties(made->mesh);
-        if (mass_properties(*hull).volume - own.volume > kConvexShare * own.volume + made->tolerance_mm * own.area)
-            return fail(Fault::kScene, "minkowski() of a solid that is not convex is not supported yet");
-        if (i == 0) {
-            sum = hull->points;
-            continue;
+Result<std::shared_ptr<const FacetList>> roof_by_skeleton(const std::vector<std::vector<Vec2>>& floor) {
+    const auto entry = module_entry("whittle_cgal.so", "whittle_cgal_roof", "the part that makes roofs");
+    if (!entry) return tl::unexpected(entry.error());
+    FacetList list;
+    std::string fault;
+    if (!reinterpret_cast<decltype(&whittle_cgal_roof)>(*entry)(floor, list, fault)) return fail(Fault::kScene, fault);
+    // The floor itself, seen from below.
+    std::vector<Vec2> points;
+    std::vector<std::vector<std::uint32_t>> rings;
+    for (const auto& ring : floor) {
+        auto& indices = rings.emplace_back();
+        for (const Vec2& p : ring) {
+            indices.push_back(static_cast<std::uint32_t>(points.size()));
+            points.push_back(p);
         }
-        auto next = minkowski_convex(sum, hull->points);
-        if (!next) return tl::unexpected(next.error());
-        sum = std::move(next->points);
     }
-    const auto whole = convex_hull(sum);
-    if (!whole) return tl::unexpected(whole.error());
-    return facets_of(*whole);
+    const auto triangles = ear_clipped(points, rings);
+    if (!triangles) return fail(Fault::kScene, "the floor of a roof crosses itself");
+    const auto first = static_cast<std::uint32_t>(list.points.size());
+    for (const Vec2& p : points) list.points.emplace_back(p, 0);
+    for (const auto& t : *triangles) list.facets.push_back({first + t[0], first + t[2], first + t[1]});
+    list = with_flat_facets(welded(list));
+    if (open_edges(list) > 0) return fail(Fault::kScene, "the roof does not close");
+    return std::make_shared<const FacetList>(std::move(list));
 }
 
 }  // namespace whittle

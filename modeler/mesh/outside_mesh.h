@@ -1,4 +1,4 @@
-// outside_mesh.h — what a scene asks a mesh for where no exact form exists (csg/solid/outside.h): hull and minkowski by way of meshes.
+// outside_mesh.h — what a scene asks a mesh for where no exact form exists (csg/solid/outside.h).
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace whittle {
 
-// The convex hull of the operands' meshes. kScene for operands that are 2D, unbounded, or all in one plane.
-Result<std::shared_ptr<const FacetList>> hull_of(const Solid& solid, const std::vector<Use>& operands, const MeshOptions& options = {});
+// The mesh of the use as facets, in the frame above it. kScene for what is 2D or unbounded.
+Result<std::shared_ptr<const FacetList>> facets_by_mesh(const Solid& solid, const Use& use, const MeshOptions& options = {});
 
-// The Minkowski sum of the operands' meshes. kScene where one of them is not convex.
-Result<std::shared_ptr<const FacetList>> minkowski_of(const Solid& solid, const std::vector<Use>& operands, const MeshOptions& options = {});
+// The solid under planes of 45 degrees over each side of the floor (outer rings counter-clockwise, holes clockwise, none crossing).
+Result<std::shared_ptr<const FacetList>> roof_by_skeleton(const std::vector<std::vector<Vec2>>& floor);
 
 }  // namespace whittle

@@ -285,15 +285,18 @@ TEST_CASE("an open polyhedron says how many edges are open") {
     CHECK(a.said("Point index 7 is out of bounds"));
 }
 
-TEST_CASE("what is not there yet is said at its place and left out") {
+TEST_CASE("what needs meshes or fonts is left out where there are none, and said at its place") {
     Author a;
-    scene::Unsupported text;
-    text.name = "text";
-    const Canonical c = a.canonical({a.add(kCube), a.add(scene::Hull{}, {a.add(scene::Sphere{99})}), a.add(text)});
+    scene::Text text;
+    text.request.text = "a";
+    scene::Unsupported file;
+    file.name = "linear_extrude(file)";
+    const Canonical c = a.canonical({a.add(kCube), a.add(scene::Hull{}, {a.add(scene::Torus{50, 10})}), a.add(text), a.add(file)});
     CHECK(c.something_left_out);
     CHECK(c.solid.root_bounds() == Bounds{Vec3(0), Vec3(10)});
-    CHECK(a.said("hull() is not supported yet, left out"));
-    CHECK(a.said("text() is not supported yet, left out"));
+    CHECK(a.said("hull() cannot be made, left out"));
+    CHECK(a.said("text() needs fonts, left out"));
+    CHECK(a.said("linear_extrude(file)() is not supported yet, left out"));
     CHECK(a.diagnostics.all()[0].place.line == 3);
 }
 

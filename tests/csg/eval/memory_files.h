@@ -20,8 +20,6 @@ public:
         return fail(Fault::kWorld, "no such file: " + path);
     }
     bool exists(const std::string& path) override { return files_.count(path) > 0; }
-    Result<std::shared_ptr<const FacetList>> hull(const Solid&, const std::vector<Use>&) override { return fail(Fault::kScene, "no meshes here"); }
-    Result<std::shared_ptr<const FacetList>> minkowski(const Solid&, const std::vector<Use>&) override { return fail(Fault::kScene, "no meshes here"); }
 
 private:
     std::map<std::string, std::string> files_;

@@ -1,49 +1,45 @@
-// test_outside.cpp — hulls and sums of a scene's operands.
-#include <numbers>
-
+// test_outside.cpp — the meshes that a scene asks for where no exact form exists.
+#include "csg/solid/polyhedron.h"
 #include "modeler/mesh/outside_mesh.h"
 #include "solids.h"
 
 using namespace whittle;
 using namespace whittle::test;
 
-namespace {
-
-double volume_of(const FacetList& list) {
-    Mesh mesh;
-    mesh.points = list.points;
-    for (const auto& f : list.facets) mesh.triangles.push_back({f[0], f[1], f[2]});
-    CHECK(report_mesh(mesh).valid());
-    return mass_properties(mesh).volume;
-}
-
-}  // namespace
-
-TEST_CASE("the hull of two cubes along a diagonal, and of a drilled one") {
+TEST_CASE("a drilled cube as facets: closed, of its volume, where its use stands") {
     SolidBuilder b;
-    const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)}), drilled = b.combine(SetOp::kDifference, {at(cube), at(b.shape(shape::Box{Vec3(0.25), Vec3(0.75)}))});
+    const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(1)}), drilled = b.combine(SetOp::kDifference, {at(cube), at(b.shape(shape::Box{Vec3(0.25, 0.25, -1), Vec3(0.75, 0.75, 2)}))});
     const Solid solid = b.finish(at(drilled));
-    const auto both = hull_of(solid, {at(cube), at(cube, {0, 0, 3})});
-    REQUIRE(both);
-    CHECK(volume_of(**both) == Approx(4).epsilon(1e-12));
-    const auto filled = hull_of(solid, {at(drilled)});
-    REQUIRE(filled);
-    CHECK(volume_of(**filled) == Approx(1).epsilon(1e-12));
-    CHECK_FALSE(hull_of(solid, {}));
+    const auto facets = facets_by_mesh(solid, at(drilled, {10, 0, 0}));
+    REQUIRE(facets);
+    CHECK(open_edges(**facets) == 0);
+    CHECK(signed_volume(**facets) == Approx(0.75).epsilon(1e-12));
+    for (const Vec3& p : (*facets)->points) CHECK(p.x >= 10);
 }
 
-TEST_CASE("a sum of convex solids; one that is not convex is refused") {
+TEST_CASE("a solid without bounds has no facets") {
     SolidBuilder b;
-    const NodeId cube = b.shape(shape::Box{Vec3(0), Vec3(2)}), ball = b.shape(shape::Ellipsoid{Vec3(1)}), ring = b.shape(shape::Torus{5, 1});
-    const Solid solid = b.finish(at(cube));
-    MeshOptions coarse;
-    coarse.tolerance_mm = 0.02;
-    const auto sum = minkowski_of(solid, {at(cube), at(ball)}, coarse);
-    REQUIRE(sum);
-    const double exact = 8 + 6 * 4 + 6 * std::numbers::pi / 4 * 2 * 2 + 4.0 / 3 * std::numbers::pi;  // Steiner's formula
-    CHECK(volume_of(**sum) < exact);
-    CHECK(volume_of(**sum) == Approx(exact).epsilon(0.03));
-    const auto refused = minkowski_of(solid, {at(cube), at(ring)}, coarse);
-    REQUIRE_FALSE(refused);
-    CHECK(refused.error().fault == Fault::kScene);
+    const NodeId half = b.shape(shape::HalfSpace{{0, 0, 1}, 0});
+    const Solid solid = b.finish(at(half));
+    const auto facets = facets_by_mesh(solid, at(half));
+    REQUIRE_FALSE(facets);
+    CHECK(facets.error().fault == Fault::kScene);
+}
+
+TEST_CASE("the straight roof over an L: three wings meet, the ridge is as high as half a wing is wide") {
+    const auto roof = roof_by_skeleton({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}});
+    REQUIRE(roof);
+    CHECK(open_edges(**roof) == 0);
+    double high = 0;
+    for (const Vec3& p : (*roof)->points) high = std::max(high, p.z);
+    CHECK(high == Approx(1));
+    // The higher of the hip roofs over the two bars: their integral.
+    CHECK(signed_volume(**roof) == Approx(16.0 / 3).epsilon(1e-9));
+}
+
+TEST_CASE("a straight roof spares a hole in its floor") {
+    const auto roof = roof_by_skeleton({{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {2, 4}, {4, 4}, {4, 2}}});
+    REQUIRE(roof);
+    CHECK(open_edges(**roof) == 0);
+    CHECK(signed_volume(**roof) == Approx(16).epsilon(1e-9));
 }

@@ -1,0 +1,220 @@
+// canonicalise_hull.cpp — hull, minkowski, projection, fill, roof: exact where there is a form for it (csg/solid), else by facets of the operands.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "csg/eval/canonicaliser.h"
+#include "csg/solid/convex_hull.h"
+#include "csg/solid/exact_hull.h"
+#include "csg/solid/facet_operations.h"
+#include "csg/solid/profile.h"
+#include "csg/solid/roof.h"
+#include "csg/solid/section.h"
+
+namespace whittle {
+namespace {
+
+// Pieces of a Minkowski sum beyond which it would take hours to combine them.
+constexpr std::size_t kMostPieces = 20000;
+
+using ContoursPtr = std::shared_ptr<const Contours>;
+
+double size_of(const Bounds& box) { return glm::length(box.hi - box.lo); }
+
+// Outlines without their holes.
+Contours outlines_of(const Contours& contours) {
+    Contours out;
+    for (const auto& ring : contours)
+        if (ring_area(ring) > 0) out.push_back(ring);
+    return out;
+}
+
+}  // namespace
+
+// What an operation made of operands whose labels it swallows: its own place is what it is called by.
+Made Canonicaliser::owned(const SceneNode& node, Use use) {
+    if (use.node == kEmptyNode) return {};
+    Made made{use, builder_.is_2d(use.node) ? Dimension::kFlat : Dimension::kSolid};
+    made.use.node = node_of(use);
+    made.use.placement = {};
+    made.use.label = kNoLabel;
+    if (profile_depth_ == 0) made.use = builder_.labelled({{}, node.place, {}}, made.use);
+    return made;
+}
+
+Made Canonicaliser::owned_polygon(const SceneNode& node, Contours contours) {
+    if (contours.empty()) return {};
+    Use use;
+    use.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(contours))});
+    return owned(node, use);
+}
+
+// Operands that are something, without labels.
+Canonicaliser::Operands Canonicaliser::bare_operands(SceneNodeId id) {
+    ++profile_depth_;
+    Operands operands = collect_each(id);
+    --profile_depth_;
+    operands.uses.erase(std::remove_if(operands.uses.begin(), operands.uses.end(), [](const Use& use) { return use.node == kEmptyNode; }), operands.uses.end());
+    return operands;
+}
+
+Contours Canonicaliser::outline_of(const Use& flat) {
+    const NodeId node = node_of(flat);
+    const double size = size_of(builder_.bounds(node));
+    return contours_of(builder_.so_far(), node, kProfileTolerance * size);
+}
+
+// The facets of a solid: its own where it has such, else a mesh of it, which is counted.
+Result<std::shared_ptr<const FacetList>> Canonicaliser::facets_of_use(const char* module, const Use& use) {
+    if (std::holds_alternative<Shape>(builder_.node(use.node)) && use.motion == 0) {
+        const auto& shape = std::get<Shape>(builder_.node(use.node));
+        const auto* e = std::get_if<shape::Extrusion>(&shape);
+        const bool smooth = (e && e->slices == 0 && (e->twist_deg != 0 || !has_corners_only(e->profile))) || std::holds_alternative<shape::Revolution>(shape);
+        if (!smooth)
+            if (auto own = facets_of(builder_.so_far(), use.node)) return std::make_shared<const FacetList>(placed_facets(*own, use.placement));
+    }
+    const NodeId node = node_of(use);
+    if (const auto known = meshes_.find(node); known != meshes_.end()) return known->second;
+    if (!outside_) return fail(Fault::kScene, "no meshes here");
+    Use whole;
+    whole.node = node;
+    auto mesh = outside_->mesh(builder_.so_far(), whole);
+    if (!mesh) return mesh;
+    meshes_.emplace(node, *mesh);
+    fallbacks_.emplace(module, 0).first->second++;
+    return mesh;
+}
+
+bool Canonicaliser::has_corners_only(NodeId id) const {
+    if (const auto* s = std::get_if<Shape>(&builder_.node(id))) return !std::holds_alternative<shape::Disc>(*s);
+    const auto& operands = std::get<Combination>(builder_.node(id)).operands;
+    return std::all_of(operands.begin(), operands.end(), [&](const Use& use) { return has_corners_only(use.node); });
+}
+
+// Said once: what no exact form was found for.
+void Canonicaliser::note_fallbacks() {
+    for (const auto& [module, count] : fallbacks_)
+        diagnostics_.add(Severity::kNote, {}, fmt::format("{}() has no exact form here: {} {} went through a mesh within the tolerance", module, count, count == 1 ? "operand" : "operands"));
+}
+
+Made Canonicaliser::hulled(SceneNodeId id) {
+    const SceneNode& node = scene_.nodes[id];
+    const Operands operands = bare_operands(id);
+    if (operands.uses.empty()) return {};
+    const HullResult exact = exact_hull(builder_, operands.uses);
+    if (exact.use) return owned(node, *exact.use);
+    if (exact.flat) return {};  // as in OpenSCAD: fewer than four points that span space have no hull
+    if (operands.dimension == Dimension::kFlat) {
+        std::vector<Vec2> points;
+        for (const Use& use : operands.uses)
+            for (const auto& ring : outline_of(use)) points.insert(points.end(), ring.begin(), ring.end());
+        auto ring = convex_hull_of(std::move(points));
+        return ring.size() < 3 ? Made{} : owned_polygon(node, {std::move(ring)});
+    }
+    std::vector<Vec3> points;
+    for (const Use& use : operands.uses) {
+        const auto facets = facets_of_use("hull", use);
+        if (!facets) return left_out(node.place, "hull() cannot be made, left out", facets.error().message);
+        points.insert(points.end(), (*facets)->points.begin(), (*facets)->points.end());
+    }
+    auto hull = convex_hull_of(std::move(points));
+    if (!hull) return {};
+    return leaf(node, shape::Polyhedron{std::make_shared<const FacetList>(std::move(*hull))});
+}
+
+Result<Use> Canonicaliser::sum_of(const Use& a, const Use& b) {
+    if (const auto exact = exact_minkowski(builder_, a, b)) return *exact;
+    Use out;
+    if (builder_.is_2d(a.node)) {
+        auto sum = flat_minkowski(outline_of(a), outline_of(b), kMostPieces);
+        if (!sum) return fail(Fault::kScene, "too many parts");
+        if (!sum->empty()) out.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(*sum))});
+        return out;
+    }
+    const auto left = facets_of_use("minkowski", a), right = facets_of_use("minkowski", b);
+    if (!left) return tl::unexpected(left.error());
+    if (!right) return tl::unexpected(right.error());
+    auto parts = minkowski_parts(**left, **right, kMostPieces);
+    if (!parts) return fail(Fault::kScene, "an operand is flat, or the sum would have too many parts");
+    std::vector<Use> uses;
+    for (FacetList& part : *parts) {
+        Use& use = uses.emplace_back();
+        use.node = builder_.shape(shape::Polyhedron{std::make_shared<const FacetList>(std::move(part))});
+    }
+    out.node = builder_.combine(SetOp::kUnion, std::move(uses));
+    return out;
+}
+
+Made Canonicaliser::summed(SceneNodeId id) {
+    const SceneNode& node = scene_.nodes[id];
+    const Operands operands = bare_operands(id);
+    if (operands.uses.empty()) return {};
+    Use sum = operands.uses[0];
+    for (std::size_t i = 1; i < operands.uses.size(); ++i) {
+        const auto next = sum_of(sum, operands.uses[i]);
+        if (!next) return left_out(node.place, "minkowski() cannot be made, left out", next.error().message);
+        sum = *next;
+    }
+    return owned(node, sum);
+}
+
+Made Canonicaliser::projected(SceneNodeId id, const scene::Projection& what) {
+    const SceneNode& node = scene_.nodes[id];
+    ++profile_depth_;
+    Operands operands;
+    operands.dimension = Dimension::kSolid;
+    collect_union(id, operands);
+    --profile_depth_;
+    if (operands.uses.empty()) return {};
+    Use solid = operands.uses[0];
+    if (operands.uses.size() > 1) {
+        solid = Use{};
+        solid.node = builder_.combine(SetOp::kUnion, std::move(operands.uses));
+    }
+    if (solid.node == kEmptyNode) return {};
+    const auto exact = what.cut ? exact_section(builder_, solid) : exact_shadow(builder_, solid);
+    if (exact) return owned(node, *exact);
+    const auto facets = facets_of_use("projection", solid);
+    if (!facets) return left_out(node.place, "projection() cannot be made, left out", facets.error().message);
+    return owned_polygon(node, what.cut ? section_of(**facets) : shadow_of(**facets));
+}
+
+// The holes are what lies between the outlines with and without them; true arcs outside stay.
+Made Canonicaliser::filled(SceneNodeId id) {
+    const SceneNode& node = scene_.nodes[id];
+    const Use flat = profile(id);
+    if (flat.node == kEmptyNode) return {};
+    const Contours contours = outline_of(flat);
+    const Contours outer = outlines_of(contours);
+    if (outer.size() == contours.size()) return owned(node, flat);
+    if (has_corners_only(flat.node)) return owned_polygon(node, united_rings(outer));
+    Contours holes;
+    for (const auto& ring : contours)
+        if (ring_area(ring) <= 0) holes.emplace_back(ring.rbegin(), ring.rend());
+    const double room = 2 * kProfileTolerance * size_of(builder_.bounds(node_of(flat)));
+    Use plug;
+    plug.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(offset_contours(united_rings(holes), room, Join::kMiter, 0))});
+    Use whole;
+    whole.node = builder_.combine(SetOp::kUnion, {flat, plug});
+    return owned(node, whole);
+}
+
+Made Canonicaliser::roofed(SceneNodeId id, const scene::Roof& what) {
+    const SceneNode& node = scene_.nodes[id];
+    const Use flat = profile(id);
+    if (flat.node == kEmptyNode) return {};
+    const Contours floor = outline_of(flat);
+    if (floor.empty()) return {};
+    if (what.method == "straight" && !is_one_convex_ring(floor)) {
+        if (!outside_) return left_out(node.place, "roof() needs meshes, left out");
+        const auto roof = outside_->straight_roof(floor);
+        if (!roof) return left_out(node.place, "roof() cannot be made, left out", roof.error().message);
+        fallbacks_.emplace("roof", 0).first->second++;
+        return leaf(node, shape::Polyhedron{*roof});
+    }
+    return owned(node, roof_of(builder_, floor));
+}
+
+}  // namespace whittle

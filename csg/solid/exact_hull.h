@@ -1,0 +1,24 @@
+// exact_hull.h — hull() and minkowski() where they have an exact form: polytopes, balls and discs of any radii, upright prisms.
+//
+// The hull of balls is the union of the balls, of the cones that touch two of them, and of the polytope of the points in which planes touch three:
+// a flat part of the border lies in the polytope, a cone's in its cone, a ball's in its ball. In 2D likewise with discs, lines and a polygon.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "csg/solid/solid.h"
+
+namespace whittle {
+
+// Operands of one dimension, none empty. Nothing where no exact form is known, or where the hull has no inside (`flat` is then set).
+struct HullResult {
+    std::optional<Use> use;
+    bool flat = false;
+};
+HullResult exact_hull(SolidBuilder& builder, const std::vector<Use>& operands);
+
+// The sum of two convex sets, or of any 2D set with straight sides and a polygon. Nothing where no exact form is known.
+std::optional<Use> exact_minkowski(SolidBuilder& builder, const Use& a, const Use& b);
+
+}  // namespace whittle
