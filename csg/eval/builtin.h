@@ -15,13 +15,12 @@ namespace whittle {
 
 class Machine;
 
-// A call of a built-in function: its arguments in the author's order, names ignored.
+// A call of a built-in function: its arguments in the author's order, names ignored; where the table names parameters, one value a parameter.
 struct FunctionCall {
     Machine& machine;
     std::string_view name;
     SourcePlace place;
     std::span<Value> arguments;
-    std::span<const std::string_view> names;  // of the arguments, empty where positional; only dxf_* look
 
     std::size_t count() const { return arguments.size(); }
     const Value& operator[](std::size_t i) const { return arguments[i]; }
@@ -31,6 +30,7 @@ struct BuiltinFunction {
     std::string_view name;
     Value (*run)(FunctionCall& call);
     std::string_view signature;
+    std::string_view parameters = {};  // "file layer": arguments go by these names alone
 };
 
 // A call of a built-in module: one value a parameter of its table entry, undef where not given.

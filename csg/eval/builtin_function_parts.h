@@ -21,6 +21,8 @@ Value function_lookup(FunctionCall& call);
 Value function_search(FunctionCall& call);
 Value function_norm(FunctionCall& call);
 Value function_cross(FunctionCall& call);
+Value function_dxf_dim(FunctionCall& call);
+Value function_dxf_cross(FunctionCall& call);
 
 // Code points of UTF-8 text, as substrings.
 std::vector<std::string_view> code_points(std::string_view text);

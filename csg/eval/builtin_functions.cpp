@@ -154,11 +154,6 @@ Value parent_module(FunctionCall& call) {
     return call.machine.heap().string(call.machine.names().text(stack[stack.size() - 1 - static_cast<std::size_t>(which)]));
 }
 
-Value not_there(FunctionCall& call) {
-    call.machine.warn(call.place, fmt::format("{}() is not supported yet", call.name));
-    return {};
-}
-
 constexpr std::array kFunctions = std::to_array<BuiltinFunction>({
     {"abs", of_number<absolute>, "abs(number) -> number"},
     {"sign", of_number<sign_of>, "sign(number) -> -1, 0 or 1"},
@@ -192,8 +187,8 @@ constexpr std::array kFunctions = std::to_array<BuiltinFunction>({
     {"norm", function_norm, "norm(list of numbers) -> number"},
     {"cross", function_cross, "cross([x, y, z], [x, y, z]) -> list, or cross([x, y], [x, y]) -> number"},
     {"parent_module", parent_module, "parent_module(number) -> string"},
-    {"dxf_dim", not_there, "dxf_dim(file, layer, name, origin, scale) -> number"},
-    {"dxf_cross", not_there, "dxf_cross(file, layer, origin, scale) -> list"},
+    {"dxf_dim", function_dxf_dim, "dxf_dim(file=, layer=, name=, origin=, scale=) -> number", "file layer name origin scale"},
+    {"dxf_cross", function_dxf_cross, "dxf_cross(file=, layer=, origin=, scale=) -> list", "file layer name origin scale"},
     {"is_undef", is_undef, "is_undef(value) -> boolean"},
     {"is_list", is_list, "is_list(value) -> boolean"},
     {"is_num", is_num, "is_num(value) -> boolean"},

@@ -337,6 +337,14 @@ TermId Lowering::lower_named_call(const Expr& e, NameId name, LexicalScope& scop
         values.push_back(lower(argument(range, i).value, scope));
         if (builtin_functions()[builtin->second].name == "is_undef") silence(values.back());
     }
+    if (const std::string_view parameters = builtin_functions()[builtin->second].parameters; !parameters.empty()) {
+        const std::vector<TermId> given = std::exchange(values, {});
+        for (const std::string_view parameter : split_names(parameters)) {
+            values.push_back(constant(Value(), e.place));
+            for (std::uint32_t i = 0; i < range.count; ++i)
+                if (names_.text(argument(range, i).name) == parameter) values.back() = given[i];
+        }
+    }
     const std::uint32_t first = static_cast<std::uint32_t>(out_.lists.size());
     out_.lists.insert(out_.lists.end(), values.begin(), values.end());
     return node(Op::kBuiltin, e.place, builtin->second, first, static_cast<std::uint32_t>(values.size()));

@@ -157,7 +157,7 @@ const Matched& Machine::matched_values(std::uint32_t which, std::uint32_t functi
 
 Value Machine::call_builtin(std::uint32_t builtin, std::span<Value> arguments, SourcePlace place) {
     const BuiltinFunction& f = builtin_functions()[builtin];
-    FunctionCall call{*this, f.name, place, arguments, {}};
+    FunctionCall call{*this, f.name, place, arguments};
     return f.run(call);
 }
 
