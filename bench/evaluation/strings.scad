@@ -7,4 +7,4 @@ function split(s, by) = let (at = concat([-1], [for (i = [0 : len(s) - 1]) if (s
 numbers = join([for (i = [0 : 1499]) i], ",");
 parts = split(numbers, ",");
 rows = [for (i = [0 : 29999]) str("row ", i, ": ", i / 7, " [", i * i, "]")];
-echo(len(numbers), len(parts), len(upper(numbers)), len(repeat("ab", 2000)), len(rows));
+echo(len(numbers), len(parts), len(upper(numbers)), len(repeat("ab", 3000)), len(join([for (i = [0 : 5999]) rows[i]])), len(rows));

@@ -38,6 +38,15 @@ Value of_number(FunctionCall& call) {
     return Value(F(call[0].number()));
 }
 
+Value sine(FunctionCall& call) {
+    if (call.count() != 1) return wrong_count(call);
+    return call[0].is_number() ? Value(call.machine.sine(call[0].number())) : wrong_type(call);
+}
+Value cosine(FunctionCall& call) {
+    if (call.count() != 1) return wrong_count(call);
+    return call[0].is_number() ? Value(call.machine.cosine(call[0].number())) : wrong_type(call);
+}
+
 // The whole degree near `degrees` if the forward function of it gives x again.
 template <double (*Forward)(double)>
 double whole_degree(double degrees, double x) {
@@ -160,8 +169,8 @@ constexpr std::array kFunctions = std::to_array<BuiltinFunction>({
     {"rands", function_rands, "rands(min, max, count [, seed]) -> list of numbers"},
     {"min", extreme<false>, "min(number, ...) or min(list) -> number"},
     {"max", extreme<true>, "max(number, ...) or max(list) -> number"},
-    {"sin", of_number<sind>, "sin(degrees) -> number"},
-    {"cos", of_number<cosd>, "cos(degrees) -> number"},
+    {"sin", sine, "sin(degrees) -> number"},
+    {"cos", cosine, "cos(degrees) -> number"},
     {"tan", of_number<tangent>, "tan(degrees) -> number"},
     {"asin", of_number<arc_sine>, "asin(number) -> degrees"},
     {"acos", of_number<arc_cosine>, "acos(number) -> degrees"},

@@ -29,12 +29,15 @@ Value function_len(FunctionCall& call) {
 }
 
 Value function_str(FunctionCall& call) {
+    // A long text that is added to is not copied.
+    constexpr std::size_t kLong = 128;
+    const bool grows = call.count() > 1 && call[0].is_string() && call[0].string().size() >= kLong;
     std::string out;
-    for (const Value& v : call.arguments) {
+    for (const Value& v : call.arguments.subspan(grows ? 1 : 0)) {
         if (v.is_string()) out += v.string();
         else call.machine.append_text(out, v);
     }
-    return call.machine.heap().string(out);
+    return grows ? call.machine.heap().appended(call[0].string_object(), out) : call.machine.heap().string(out);
 }
 
 namespace {
@@ -134,10 +137,11 @@ Value function_lookup(FunctionCall& call) {
     if (!first) return {};
     Pair low = *first, high = *first;
     for (std::uint32_t i = 1; i < table.size(); ++i) {
-        const std::optional<Pair> entry = number_pair(table[i]);
-        if (!entry) continue;
-        if (entry->key <= p && (entry->key > low.key || low.key > p)) low = *entry;
-        if (entry->key >= p && (entry->key < high.key || high.key < p)) high = *entry;
+        const Value& row = table[i];
+        if (!row.is_vector() || row.size() != 2 || !row[0].is_number() || !row[1].is_number()) continue;
+        const double key = row[0].number();
+        if (key <= p && (key > low.key || low.key > p)) low = {key, row[1].number()};
+        if (key >= p && (key < high.key || high.key < p)) high = {key, row[1].number()};
     }
     if (p <= low.key) return Value(high.value);
     if (p >= high.key) return Value(low.value);

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/degrees.h"
 #include "csg/eval/code.h"
 #include "csg/eval/evaluate.h"
 #include "csg/eval/large_stack.h"
+#include "csg/eval/memo.h"
 #include "csg/eval/random.h"
 #include "csg/eval/value.h"
 #include "csg/lang/diagnostics.h"
@@ -49,6 +51,8 @@ public:
     Heap& heap() { return heap_; }
     const Names& names() const { return names_; }
     RandomNumbers& random() { return random_; }
+    double sine(double degrees) { return sine_(degrees); }
+    double cosine(double degrees) { return cosine_(degrees); }
     const std::vector<NameId>& module_names() const { return module_names_; }
     Facets facets() const;
     // Placement of the node being made, in the root's frame (lights need it).
@@ -184,9 +188,11 @@ private:
     Diagnostics& diagnostics_;
     RunFiles files_;
     RandomNumbers random_;
+    Memo<sind> sine_;
+    Memo<cosd> cosine_;
     std::vector<Value> cells_;                              // $-variables
     std::vector<std::pair<std::uint32_t, Value>> trail_;    // what they were
-    std::vector<Value> stack_;                              // elements of lists being made
+    std::vector<Value, LargeAllocator<Value>> stack_;       // elements of lists being made
     std::vector<SceneNodeId> pending_;                      // children of nodes being made
     std::vector<Root> roots_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, code::Matched> matches_;  // of a value call with a function it met

@@ -10,6 +10,8 @@
 #include <iterator>
 #include <vector>
 
+#include "csg/eval/large_block.h"
+
 namespace whittle {
 
 // Ids, in order; sixteen bytes as long as there are at most three.
@@ -87,14 +89,15 @@ public:
         std::size_t at_;
     };
 
-    std::size_t size() const { return blocks_.empty() ? 0 : (blocks_.size() - 1) * kBlock + blocks_.back().size(); }
+    std::size_t size() const { return blocks_.empty() ? 0 : start_of(blocks_.size() - 1) + blocks_.back().size(); }
     bool empty() const { return blocks_.empty(); }
-    T& operator[](std::size_t i) { return blocks_[i / kBlock][i % kBlock]; }
-    const T& operator[](std::size_t i) const { return blocks_[i / kBlock][i % kBlock]; }
+    T& operator[](std::size_t i) { return i < kFirst ? blocks_[0][i] : blocks_[1 + (i - kFirst) / kBlock][(i - kFirst) % kBlock]; }
+    const T& operator[](std::size_t i) const { return const_cast<BlockList&>(*this)[i]; }
     T& back() { return blocks_.back().back(); }
     void push_back(T element) { emplace_back() = std::move(element); }
     T& emplace_back() {
-        if (blocks_.empty() || blocks_.back().size() == kBlock) blocks_.emplace_back().reserve(kBlock);
+        if (blocks_.empty()) blocks_.emplace_back().reserve(kFirst);
+        else if (blocks_.back().size() == (blocks_.size() == 1 ? kFirst : kBlock)) blocks_.emplace_back().reserve(kBlock);
         return blocks_.back().emplace_back();
     }
     void clear() { blocks_.clear(); }
@@ -104,8 +107,9 @@ public:
     Iterator<const BlockList, const T> end() const { return {this, size()}; }
 
 private:
-    static constexpr std::size_t kBlock = 1024;
-    std::vector<std::vector<T>> blocks_;
+    static constexpr std::size_t kFirst = 1024, kBlock = 2 * kLargePage / sizeof(T);
+    static std::size_t start_of(std::size_t block) { return block == 0 ? 0 : kFirst + (block - 1) * kBlock; }
+    std::vector<std::vector<T, LargeAllocator<T>>> blocks_;
 };
 
 // A large value that few nodes have, kept outside them. Reads like the value; copies copy it.

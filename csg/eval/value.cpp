@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <new>
 
@@ -36,42 +35,41 @@ bool Value::truth_of_object() const {
     return false;
 }
 
-void* Heap::allocate_new(std::size_t bytes) {
-    bytes_ += bytes;
-    const std::size_t index = (bytes + kStep - 1) / kStep;
+void* Heap::allocate_new(std::size_t bytes, std::size_t index) {
     if (index >= kClasses) {
-        if (bytes > kMaxBlock || (limit_ > 0 && bytes_ > limit_)) {
-            bytes_ -= bytes;
-            throw std::bad_alloc();
-        }
-        void* block = std::malloc(bytes);
-        if (!block) throw std::bad_alloc();
+        if (bytes > kMaxBlock || (limit_ > 0 && bytes_ + bytes > limit_)) throw std::bad_alloc();
+        void* block = allocate_large(bytes);
+        bytes_ += bytes;
         return block;
     }
-    const std::size_t rounded = index * kStep;
+    const std::size_t rounded = bytes_of_class(index);
     if (slab_left_ < rounded) {
-        constexpr std::size_t kFirst = 64 * 1024, kDoublings = 6;
+        constexpr std::size_t kFirst = 128 * 1024, kDoublings = 5;  // up to two large pages
         const std::size_t slab = kFirst << std::min(slabs_.size(), kDoublings);
-        slabs_.push_back(std::malloc(slab));
-        if (!slabs_.back()) throw std::bad_alloc();
+        slabs_.reserve(slabs_.size() + 1);
+        slabs_.push_back(allocate_large(slab));
         slab_ = static_cast<char*>(slabs_.back());
         slab_left_ = slab;
     }
     char* block = slab_;
     slab_ += rounded;
     slab_left_ -= rounded;
+    bytes_ += bytes;
     return block;
 }
 
 Heap::~Heap() {
-    for (void* slab : slabs_) std::free(slab);
+    for (void* slab : slabs_) free_large(slab);
 }
 
 namespace {
 
 std::size_t bytes_of(const Object& object) {
     switch (object.type) {
-        case Type::kString: return sizeof(StringObject) + static_cast<const StringObject&>(object).bytes;
+        case Type::kString: {
+            const StringObject& text = static_cast<const StringObject&>(object);
+            return sizeof(StringObject) + (text.buffer ? 0 : text.bytes);
+        }
         case Type::kVector: return sizeof(VectorObject) + sizeof(Value) * static_cast<const VectorObject&>(object).size;
         case Type::kRange: return sizeof(RangeObject);
         default: return sizeof(FunctionObject);
@@ -104,8 +102,29 @@ T* make(Heap& heap, Type type, std::size_t extra = 0) {
 Value Heap::string(std::string_view text) {
     StringObject* s = make<StringObject>(*this, Type::kString, text.size());
     s->bytes = static_cast<std::uint32_t>(text.size());
-    std::memcpy(s->data(), text.data(), text.size());
+    std::memcpy(s->own_data(), text.data(), text.size());
     s->points = count_points(text);
+    return Value(s);
+}
+
+Value Heap::appended(const StringObject& head, std::string_view tail) {
+    const std::size_t total = head.bytes + tail.size();
+    if (total > kMaxBlock / 2) throw std::bad_alloc();
+    StringBuffer* buffer = head.buffer;
+    if (buffer && buffer->used == head.bytes && buffer->capacity >= total) {
+        ++buffer->refs;
+    } else {
+        const std::size_t capacity = 2 * total;
+        buffer = new (allocate(sizeof(StringBuffer) + capacity)) StringBuffer;
+        buffer->capacity = static_cast<std::uint32_t>(capacity);
+        std::memcpy(buffer->data(), head.data(), head.bytes);
+    }
+    std::memcpy(buffer->data() + head.bytes, tail.data(), tail.size());
+    buffer->used = static_cast<std::uint32_t>(total);
+    StringObject* s = make<StringObject>(*this, Type::kString);
+    s->buffer = buffer;
+    s->bytes = static_cast<std::uint32_t>(total);
+    s->points = head.points + count_points(tail);
     return Value(s);
 }
 
@@ -159,6 +178,15 @@ void Heap::forget(FunctionObject& f) {
 
 namespace {
 
+void free_object(Object* object) {
+    Heap& heap = *object->heap;
+    const std::size_t bytes = bytes_of(*object);
+    if (object->type == Type::kString)
+        if (StringBuffer* buffer = static_cast<StringObject*>(object)->buffer; buffer && --buffer->refs == 0)
+            heap.free(buffer, sizeof(StringBuffer) + buffer->capacity);
+    heap.free(object, bytes);
+}
+
 // Frees everything that only the given object or frame kept alive. Iterative: parts whose last reference goes join the list.
 class Releaser {
 public:
@@ -169,7 +197,7 @@ public:
                 Object* object = objects_.back();
                 objects_.pop_back();
                 open(*object);
-                object->heap->free(object, bytes_of(*object));
+                free_object(object);
             } else {
                 Frame* frame = frames_.back();
                 frames_.pop_back();
@@ -213,7 +241,7 @@ bool is_flat(Object& object) {
 }  // namespace
 
 void release_object(Object* object) {
-    if (is_flat(*object)) return object->heap->free(object, bytes_of(*object));
+    if (is_flat(*object)) return free_object(object);
     Releaser().run(object);
 }
 

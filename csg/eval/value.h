@@ -4,13 +4,15 @@
 // recursion, so that a list nested a million deep goes away quietly.
 #pragma once
 
+#include <bit>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "csg/eval/large_block.h"
 
 namespace whittle {
 
@@ -29,11 +31,18 @@ struct Object {
     Heap* heap;
 };
 
-// UTF-8 bytes follow the header. `points` counts code points; bytes == points means ASCII, where indexing needs no walk.
+// Bytes that several strings begin with: the longest of them may grow in place, so that putting a text together piece by piece costs what the pieces cost.
+struct StringBuffer {
+    std::uint32_t refs = 1, used = 0, capacity = 0;
+    char* data() { return reinterpret_cast<char*>(this + 1); }
+};
+
+// UTF-8 bytes follow the header or lie in a buffer. `points` counts code points; bytes == points means ASCII, where indexing needs no walk.
 struct StringObject : Object {
     std::uint32_t bytes = 0, points = 0;
-    const char* data() const { return reinterpret_cast<const char*>(this + 1); }
-    char* data() { return reinterpret_cast<char*>(this + 1); }
+    StringBuffer* buffer = nullptr;
+    const char* data() const { return buffer ? buffer->data() : reinterpret_cast<const char*>(this + 1); }
+    char* own_data() { return reinterpret_cast<char*>(this + 1); }
     std::string_view view() const { return {data(), bytes}; }
 };
 
@@ -155,6 +164,8 @@ public:
     ~Heap();
 
     Value string(std::string_view text);
+    // `head` followed by `tail`; shares the bytes of a long head.
+    Value appended(const StringObject& head, std::string_view tail);
     Value range(double begin, double step, double end);
     // A vector of the given values, moved from.
     Value vector(Value* first, std::size_t count);
@@ -170,19 +181,19 @@ public:
     // Large blocks beyond it are refused with std::bad_alloc; 0: none.
     void set_limit(std::uint64_t bytes) { limit_ = bytes; }
     void* allocate(std::size_t bytes) {
-        const std::size_t index = (bytes + kStep - 1) / kStep;
+        const std::size_t index = class_of(bytes);
         if (index < kClasses)
             if (FreeBlock* block = free_[index]) {
                 bytes_ += bytes;
                 free_[index] = block->next;
                 return block;
             }
-        return allocate_new(bytes);
+        return allocate_new(bytes, index);
     }
     void free(void* block, std::size_t bytes) {
         bytes_ -= bytes;
-        const std::size_t index = (bytes + kStep - 1) / kStep;
-        if (index >= kClasses) return std::free(block);
+        const std::size_t index = class_of(bytes);
+        if (index >= kClasses) return free_large(block);
         free_[index] = new (block) FreeBlock{free_[index]};
     }
 
@@ -191,8 +202,15 @@ public:
     void break_cycles();
 
 private:
-    void* allocate_new(std::size_t bytes);
-    static constexpr std::size_t kStep = 16, kClasses = 33;  // blocks up to 512 bytes are pooled
+    // Blocks up to kSmall bytes are pooled by steps of kStep, larger ones up to kMiddle by powers of two; beyond, they are the system's.
+    static constexpr std::size_t kStep = 16, kSmall = 512, kMiddle = 65536;
+    static constexpr std::size_t kSmallClasses = kSmall / kStep + 1, kClasses = kSmallClasses + 7;
+    static constexpr std::size_t class_of(std::size_t bytes) {
+        if (bytes <= kSmall) return (bytes + kStep - 1) / kStep;
+        return bytes > kMiddle ? kClasses : kSmallClasses + static_cast<std::size_t>(std::bit_width((bytes - 1) / kSmall)) - 1;
+    }
+    static constexpr std::size_t bytes_of_class(std::size_t index) { return index < kSmallClasses ? index * kStep : kSmall << (index - kSmallClasses + 1); }
+    void* allocate_new(std::size_t bytes, std::size_t index);
     struct FreeBlock { FreeBlock* next; };
     static constexpr std::size_t kMaxBlock = std::size_t{3} << 30;  // sizes are 32 bits
     std::uint64_t bytes_ = 0, limit_ = 0;
