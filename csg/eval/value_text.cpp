@@ -22,10 +22,14 @@ constexpr int kMostTens = 22;
 // power of ten, off by half an ulp of itself, leaves no doubt. Nothing near a half or a border of two exponents is answered.
 bool quick_six_digits(double number, std::uint32_t& digits, int& exponent) {
     if (!(number >= 1e-15 && number < 1e20)) return false;
-    exponent = static_cast<int>(std::floor(std::log10(number)));
-    const int shift = kDigits - 1 - exponent;
-    if (shift > kMostTens || -shift > kMostTens) return false;
-    const double scaled = shift >= 0 ? number * kTens[shift] : number / kTens[-shift];
+    constexpr double kLog2 = 0.30102;  // a little less than log10(2): the exponent is right or one too small
+    exponent = static_cast<int>(std::floor(std::ilogb(number) * kLog2)) - 1;
+    double scaled = 1e6;
+    while (scaled >= 999999.25) {
+        const int shift = kDigits - 1 - ++exponent;
+        if (shift > kMostTens || -shift > kMostTens) return false;
+        scaled = shift >= 0 ? number * kTens[shift] : number / kTens[-shift];
+    }
     if (!(scaled >= 1e5 && scaled < 999999.25)) return false;
     const double below = std::floor(scaled), rest = scaled - below;
     if (std::fabs(rest - 0.5) < 0x1p-30) return false;  // an ulp of 1e6 is 2^-33
