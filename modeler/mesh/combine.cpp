@@ -1,220 +1,239 @@
 #include "modeler/mesh/combine.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <mutex>
+#include <map>
+#include <numeric>
 
-#include <fmt/format.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "modeler/arrange/box_tree.h"
+#include "modeler/arrange/sets.h"
+
 namespace whittle {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+GridBox common(const GridBox& a, const GridBox& b) {
+    GridBox out;
+    for (std::size_t i = 0; i < 3; ++i) out.lo[i] = std::max(a.lo[i], b.lo[i]), out.hi[i] = std::min(a.hi[i], b.hi[i]);
+    return out;
+}
+
+// A leaf of the expression, in place.
+struct Leaf {
+    PlanId plan = 0;  // a leaf of the plan, or a combination whose result is known
+    GridPoint offset{};
+    FacetTag tag_base = 0;
+    std::uint32_t number = 0;
+    GridBox box;
+};
+
+// A set expression without operands that cannot matter. Terms are made after their children.
+struct Term {
+    std::optional<SetOp> op;  // nothing: a leaf
+    std::uint32_t leaf = 0;
+    std::vector<std::uint32_t> children;
+};
 
 class Combiner {
 public:
-    Combiner(const Plan& plan, const CombineOptions& options, MeshControl& control)
-        : plan_(plan), options_(options), control_(control), done_(plan.size()), loaded_(plan.size()), waiting_(plan.size()) {}
+    Combiner(const Plan& plan, std::span<const std::uint32_t> uses, const CombineOptions& options, MeshControl& control)
+        : plan_(plan), uses_(uses), options_(options), control_(control), leaf_count_(plan.size(), 1) {
+        for (PlanId id = 0; id < plan.size(); ++id)
+            if (const PlanNode& n = plan.node(id); n.op) leaf_count_[id] = leaf_count_[n.a.plan] + leaf_count_[n.b.plan];
+    }
 
     Result<Parts> run(PlanId root, MeshStats& stats) {
-        find_needed(root);
-        for (const auto& level : levels_) {
-            const auto start = Clock::now();
-            tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) { carry_out(level[i]); });
-            busy_ += seconds_since(start);
-            if (failed_) break;
-        }
+        if (auto solved = solve_shared(root); !solved) return tl::unexpected(solved.error());
+        auto parts = combined(root, true);
         stats.booleans += booleans_;
-        stats.fallbacks += fallbacks_;
-        stats.decimated += decimated_;
-        stats.skipped_boxes += skipped_;
-        stats.seconds_decimate += seconds_decimate_;
-        stats.seconds_boolean += busy_;
-        stats.loaded_cgal = stats.loaded_cgal || kernel_used_;
-        if (failed_) return tl::unexpected(error_);
-        return std::move(done_[root]);
-    }
-
-private:
-    // Nodes under the root by height: those of one level do not depend on each other.
-    void find_needed(PlanId root) {
-        std::vector<std::uint32_t> height(root + 1, 0);
-        std::vector<bool> needed(root + 1, false);
-        needed[root] = true;
-        for (PlanId id = root + 1; id-- > 0;) {
-            const PlanNode& n = plan_.node(id);
-            if (!needed[id] || !n.op) continue;
-            needed[n.a.plan] = needed[n.b.plan] = true;
-            ++waiting_[n.a.plan].count;
-            ++waiting_[n.b.plan].count;
-        }
-        for (PlanId id = 0; id <= root; ++id) {
-            if (!needed[id]) continue;
-            const PlanNode& n = plan_.node(id);
-            if (n.op) height[id] = std::max(height[n.a.plan], height[n.b.plan]) + 1;
-            if (levels_.size() <= height[id]) levels_.resize(height[id] + 1);
-            levels_[height[id]].push_back(id);
-            if (n.op) ++total_;
-        }
-        waiting_[root].count += 1;  // the root's result is fetched by run
-    }
-
-    void carry_out(PlanId id) {
-        if (failed_) return;
-        if (control_.cancelled()) return stop({Fault::kInterrupted, "interrupted"});
-        const PlanNode& n = plan_.node(id);
-        if (!n.op) {
-            done_[id] = {Part{id, nullptr, {}, 0, n.box}};
-            return;
-        }
-        auto result = combined(*n.op, placed(n.a, 0), placed(n.b, plan_.node(n.a.plan).tag_count));
-        if (!result) return stop(result.error());
-        done_[id] = std::move(*result);
-        release(n.a.plan);
-        release(n.b.plan);
-        control_.progress(static_cast<double>(++finished_) / static_cast<double>(total_));
-    }
-
-    void release(PlanId id) {
-        if (--waiting_[id].count > 0) return;
-        done_[id] = {};
-        loaded_[id].mesh = nullptr;
-    }
-
-    Parts placed(const PlanRef& ref, FacetTag tag_base) const {
-        Parts parts = done_[ref.plan];
-        for (Part& p : parts) {
-            p.offset = sum(p.offset, ref.offset);
-            p.box = moved(p.box, ref.offset);
-            p.tag_base += tag_base;
-        }
+        stats.decimated += work_.removed;
+        stats.seconds_boolean += work_.seconds_cut + work_.seconds_classify;
+        stats.seconds_decimate += work_.seconds_join;
         return parts;
     }
 
-    // Only parts that can meet enter the operation; the others go on as they are, or vanish.
-    Result<Parts> combined(SetOp op, Parts a, Parts b) {
-        const auto meet = op == SetOp::kUnion ? boxes_touch : boxes_overlap;
-        const auto near = [&](const Parts& others) {
-            return [&](const Part& p) { return std::any_of(others.begin(), others.end(), [&](const Part& q) { return meet(p.box, q.box); }); };
-        };
-        const auto a_end = std::stable_partition(a.begin(), a.end(), near(b));
-        Parts result(a_end, a.end());
-        a.erase(a_end, a.end());
-        const auto b_end = std::stable_partition(b.begin(), b.end(), near(a));
-        if (op == SetOp::kUnion) result.insert(result.end(), b_end, b.end());
-        if (op == SetOp::kIntersection) result.clear();
-        b.erase(b_end, b.end());
-        if (a.empty() || b.empty()) {
-            ++skipped_;
-            return result;
-        }
-        auto left = exact(a), right = left ? exact(b) : left;
-        if (!right) return tl::unexpected(right.error());
-        return operated(op, *left, *right, std::move(result));
-    }
-
-    Result<Parts> operated(SetOp op, const std::vector<PlacedExact>& a, const std::vector<PlacedExact>& b, Parts result) {
-        const auto kernel = exact_kernel();
-        if (!kernel) return tl::unexpected(kernel.error());
-        KernelWatch watch;
-        watch.control = &control_;
-        watch.decimate = options_.decimate;
-        auto mesh = (*kernel)->combine(op, a, b, watch);
-        const std::lock_guard lock(mutex_);
-        booleans_ += watch.booleans;
-        fallbacks_ += watch.fallbacks;
-        decimated_ += watch.decimated;
-        seconds_decimate_ += watch.seconds_decimate;
-        if (!mesh) return tl::unexpected(mesh.error());
-        if ((*mesh)->triangles > 0) {
-            const GridBox box = (*mesh)->box;
-            result.push_back(Part{0, std::move(*mesh), {}, 0, box});
-        }
-        return result;
-    }
-
-    Result<std::vector<PlacedExact>> exact(const Parts& parts) {
-        std::vector<PlacedExact> out;
-        for (const Part& p : parts) {
-            ExactRef mesh = p.exact;
-            if (!mesh) {
-                auto loaded = load(p.leaf);
-                if (!loaded) return tl::unexpected(loaded.error());
-                mesh = std::move(*loaded);
+private:
+    // Results used at several places are made once, where they lie on the grid: they can then stand for leaves.
+    Result<void> solve_shared(PlanId root) {
+        std::vector<bool> needed(root + 1, false), off_grid(root + 1, false);
+        needed[root] = true;
+        for (PlanId id = root + 1; id-- > 0;)
+            if (const PlanNode& n = plan_.node(id); needed[id] && n.op) needed[n.a.plan] = needed[n.b.plan] = true;
+        for (PlanId id = 0; id < root; ++id) {
+            const PlanNode& n = plan_.node(id);
+            if (!needed[id] || !n.op) continue;
+            off_grid[id] = off_grid[n.a.plan] || off_grid[n.b.plan];
+            if (n.users < 2 || off_grid[id]) continue;
+            const auto parts = combined(id, false);
+            if (!parts) return tl::unexpected(parts.error());
+            if (auto mesh = on_grid(*parts)) {
+                solved_.emplace(id, std::move(*mesh));
+            } else {
+                off_grid[id] = true;
             }
-            out.push_back({std::move(mesh), p.offset, p.tag_base});
+        }
+        return {};
+    }
+
+    // All parts as one mesh; nothing where a point is not on the grid.
+    std::optional<GridMesh> on_grid(const Parts& parts) const {
+        GridMesh out;
+        for (const Part& part : parts) {
+            const auto first = static_cast<std::uint32_t>(out.points.size());
+            if (part.made) {
+                if (!part.made->on_grid) return std::nullopt;
+                for (const Vec3& p : part.made->points) out.points.push_back({std::llround(p.x), std::llround(p.y), std::llround(p.z)});
+            } else {
+                for (const GridPoint& p : mesh_of(part.leaf).points) out.points.push_back(sum(p, part.offset));
+            }
+            const auto& triangles = part.made ? part.made->triangles : mesh_of(part.leaf).triangles;
+            const auto& tags = part.made ? part.made->tags : mesh_of(part.leaf).tags;
+            for (const auto& t : triangles) out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+            for (const FacetTag tag : tags) out.tags.push_back(tag + part.tag_base);
         }
         return out;
     }
 
-    Result<ExactRef> load(PlanId leaf) {
-        const auto kernel = exact_kernel();
-        if (!kernel) return tl::unexpected(kernel.error());
-        kernel_used_ = true;
-        Loaded& slot = loaded_[leaf];
-        const std::lock_guard lock(slot.mutex);
-        if (!slot.mesh) {
-            const PlanNode& node = plan_.node(leaf);
-            if (node.may_cross_itself)
-                if (const auto sound = check_sound(**kernel, node.leaf); !sound) return tl::unexpected(sound.error());
-            auto mesh = (*kernel)->load(node.leaf);
-            if (!mesh) return mesh;
-            slot.mesh = std::move(*mesh);
+    const GridMesh& mesh_of(PlanId id) const {
+        const auto known = solved_.find(id);
+        return known == solved_.end() ? plan_.node(id).leaf : known->second;
+    }
+
+    // `whole`: the root is the one that `uses` speaks of.
+    Result<Parts> combined(PlanId root, bool whole) {
+        whole_ = whole;
+        leaves_.clear();
+        terms_.clear();
+        const auto top = expand({root, {}}, 0, 0, plan_.node(root).box);
+        if (!top) return Parts{};
+        const auto groups = groups_of();
+        std::vector<Result<Parts>> made(groups.size());
+        std::vector<ArrangeStats> work(groups.size());
+        tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) { made[i] = arranged(groups[i], *top, work[i]); });
+        Parts parts;
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+            if (!made[i]) return tl::unexpected(made[i].error());
+            for (Part& p : *made[i]) parts.push_back(std::move(p));
+            booleans_ += groups[i].size() > 1 ? 1U : 0U;
+            work_.removed += work[i].removed;
+            work_.seconds_cut += work[i].seconds_cut;
+            work_.seconds_classify += work[i].seconds_classify;
+            work_.seconds_join += work[i].seconds_join;
         }
-        return slot.mesh;
+        return parts;
     }
 
-    // An operand that crosses itself makes booleans wrong without a word, or worse.
-    static Result<void> check_sound(const ExactKernel& kernel, const GridMesh& mesh) {
-        std::vector<Vec3> points;
-        for (const GridPoint& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
-        for (const Triangle& t : mesh.triangles)
-            if (glm::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) == Vec3{0})
-                return fail(Fault::kScene, "a solid that is to be combined has facets of no area at this scale");
-        const auto pairs = kernel.self_intersections(points, mesh.triangles);
-        if (!pairs) return tl::unexpected(pairs.error());
-        if (*pairs > 0) return fail(Fault::kScene, fmt::format("a solid that is to be combined crosses or touches itself: {} pairs of facets", *pairs));
-        return {};
+    // What lies in `room`, as a term; nothing where that is empty.
+    std::optional<std::uint32_t> expand(const PlanRef& ref, FacetTag tag_base, std::uint32_t first_use, const GridBox& room) {
+        const PlanNode& n = plan_.node(ref.plan);
+        const GridBox box = moved(n.box, ref.offset);
+        if (!boxes_overlap(box, room)) return std::nullopt;
+        if (!n.op || solved_.contains(ref.plan)) {
+            if (mesh_of(ref.plan).triangles.empty()) return std::nullopt;
+            leaves_.push_back({ref.plan, ref.offset, tag_base, whole_ ? uses_[first_use] : first_use, box});
+            return term({std::nullopt, static_cast<std::uint32_t>(leaves_.size() - 1), {}});
+        }
+        const PlanRef a{n.a.plan, sum(n.a.offset, ref.offset)}, b{n.b.plan, sum(n.b.offset, ref.offset)};
+        const FacetTag tag_b = tag_base + plan_.node(a.plan).tag_count;
+        const std::uint32_t use_b = first_use + leaf_count_[a.plan];
+        const bool both = *n.op == SetOp::kIntersection;
+        const auto left = expand(a, tag_base, first_use, both ? common(room, plan_.box(b)) : room);
+        if (!left && *n.op != SetOp::kUnion) return std::nullopt;
+        const auto right = expand(b, tag_b, use_b, *n.op == SetOp::kUnion ? room : common(room, plan_.box(a)));
+        if (!right) return both ? std::nullopt : left;
+        if (!left) return right;
+        return term({n.op, 0, {*left, *right}});
+    }
+    std::uint32_t term(Term t) {
+        terms_.push_back(std::move(t));
+        return static_cast<std::uint32_t>(terms_.size() - 1);
     }
 
-    void stop(Error error) {
-        const std::lock_guard lock(mutex_);
-        if (!failed_) error_ = std::move(error);
-        failed_ = true;
+    // Leaves whose boxes touch, directly or through others.
+    std::vector<std::vector<std::uint32_t>> groups_of() const {
+        std::vector<DoubleBox> boxes;
+        std::vector<std::uint32_t> owner(leaves_.size());
+        std::iota(owner.begin(), owner.end(), 0U);
+        for (const Leaf& l : leaves_) {
+            DoubleBox b;
+            for (std::size_t k = 0; k < 3; ++k) b.lo[k] = static_cast<double>(l.box.lo[k]), b.hi[k] = static_cast<double>(l.box.hi[k]);
+            boxes.push_back(b);
+        }
+        DisjointSets sets(leaves_.size());
+        BoxTree(boxes, owner).pairs([&](std::uint32_t i, std::uint32_t j) { sets.join(i, j); });
+        std::vector<std::vector<std::uint32_t>> groups;
+        std::map<std::uint32_t, std::size_t> number;
+        for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
+            const auto [at, fresh] = number.try_emplace(sets.find(i), groups.size());
+            if (fresh) groups.emplace_back();
+            groups[at->second].push_back(i);
+        }
+        return groups;
     }
 
-    struct Loaded {
-        std::mutex mutex;
-        ExactRef mesh;
-    };
-    struct Waiting {
-        std::atomic<std::uint32_t> count{0};
-    };
+    // The expression with all leaves outside the group empty. Gives the operands that are left; nothing where the whole is empty.
+    std::optional<Expression::Id> narrowed(std::uint32_t id, const std::vector<std::uint32_t>& group, Expression& out, std::vector<std::uint32_t>& operands) const {
+        const Term& t = terms_[id];
+        if (!t.op) {
+            if (!std::binary_search(group.begin(), group.end(), t.leaf)) return std::nullopt;
+            operands.push_back(t.leaf);
+            return out.operand();
+        }
+        std::vector<Expression::Id> children;
+        for (std::size_t i = 0; i < t.children.size(); ++i) {
+            const auto child = narrowed(t.children[i], group, out, operands);
+            if (child) {
+                children.push_back(*child);
+            } else if (*t.op == SetOp::kIntersection || (*t.op == SetOp::kDifference && i == 0)) {
+                return std::nullopt;
+            }
+        }
+        if (children.empty()) return std::nullopt;
+        return children.size() == 1 ? children.front() : out.combine(*t.op, children);
+    }
+
+    Result<Parts> arranged(const std::vector<std::uint32_t>& group, std::uint32_t top, ArrangeStats& stats) const {
+        if (control_.cancelled()) return fail(Fault::kInterrupted, "interrupted");
+        Expression expression;
+        std::vector<std::uint32_t> used;
+        const auto root = narrowed(top, group, expression, used);
+        if (!root) return Parts{};
+        expression.finish(*root);
+        if (used.size() == 1 && !plan_.node(leaves_[used[0]].plan).may_cross_itself) {
+            const Leaf& l = leaves_[used[0]];
+            if (!solved_.contains(l.plan)) return Parts{Part{l.plan, std::nullopt, l.offset, l.tag_base}};
+        }
+        std::vector<Operand> operands;
+        for (const std::uint32_t i : used) {
+            const Leaf& l = leaves_[i];
+            operands.push_back({&mesh_of(l.plan), l.offset, l.tag_base, l.number, !solved_.contains(l.plan) && plan_.node(l.plan).may_cross_itself});
+        }
+        auto mesh = arrange(operands, expression, {options_.decimate, [this] { return control_.cancelled(); }}, stats);
+        if (!mesh) return tl::unexpected(mesh.error());
+        if (mesh->triangles.empty()) return Parts{};
+        return Parts{Part{0, std::move(*mesh), {}, 0}};
+    }
 
     const Plan& plan_;
+    std::span<const std::uint32_t> uses_;
     const CombineOptions& options_;
     MeshControl& control_;
-    std::vector<Parts> done_;
-    std::vector<Loaded> loaded_;
-    std::vector<Waiting> waiting_;
-    std::vector<std::vector<PlanId>> levels_;
-    std::mutex mutex_;
-    std::atomic<bool> failed_{false}, kernel_used_{false};
-    std::atomic<std::uint64_t> finished_{0}, skipped_{0};
-    Error error_;
-    std::uint64_t total_ = 0, booleans_ = 0, fallbacks_ = 0, decimated_ = 0;
-    double seconds_decimate_ = 0, busy_ = 0;
+    std::vector<std::uint32_t> leaf_count_;
+    std::map<PlanId, GridMesh> solved_;
+    std::vector<Leaf> leaves_;
+    std::vector<Term> terms_;
+    bool whole_ = true;
+    std::uint64_t booleans_ = 0;
+    ArrangeStats work_;
 };
 
 }  // namespace
 
-Result<Parts> combine_plan(const Plan& plan, PlanId root, const CombineOptions& options, MeshControl& control, MeshStats& stats) {
-    Combiner combiner(plan, options, control);
+Result<Parts> combine_plan(const Plan& plan, PlanId root, std::span<const std::uint32_t> uses, const CombineOptions& options, MeshControl& control,
+                           MeshStats& stats) {
+    Combiner combiner(plan, uses, options, control);
     const int most = tbb::info::default_concurrency();  // asking for more only makes TBB print a warning
     tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, most) : most);
     return arena.execute([&] { return combiner.run(root, stats); });

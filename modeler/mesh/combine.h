@@ -1,17 +1,19 @@
-// combine.h — carries a plan out: which parts really meet, and exact booleans on those.
+// combine.h — carries a plan out: which leaves can meet, and one exact arrangement for each group of those.
 #pragma once
 
+#include <span>
+
+#include "modeler/arrange/arrange.h"
 #include "modeler/mesh/plan.h"
 
 namespace whittle {
 
-// One mesh of a result that may be several: either a leaf on the grid, or an exact mesh.
+// One mesh of a result that may be several: either a leaf on the grid, or a mesh that was made.
 struct Part {
     PlanId leaf = 0;
-    ExactRef exact;  // null: `leaf` is meant
+    std::optional<ArrangedMesh> made;  // nothing: `leaf` is meant
     GridPoint offset{};
-    FacetTag tag_base = 0;
-    GridBox box;  // around it, in place
+    FacetTag tag_base = 0;             // of a leaf; in what was made it is included
 };
 
 // Disjoint sets, boundaries included; their union is the result.
@@ -22,7 +24,9 @@ struct CombineOptions {
     bool decimate = true;
 };
 
-// The result of one plan node. Its bytes do not depend on the number of threads.
-Result<Parts> combine_plan(const Plan& plan, PlanId root, const CombineOptions& options, MeshControl& control, MeshStats& stats);
+// The result of one plan node. `uses[i]` is the author's number of the plan's leaf i: where two leaves have a facet in one place the lower one keeps
+// it. Bytes do not depend on the number of threads.
+Result<Parts> combine_plan(const Plan& plan, PlanId root, std::span<const std::uint32_t> uses, const CombineOptions& options, MeshControl& control,
+                           MeshStats& stats);
 
 }  // namespace whittle

@@ -14,27 +14,10 @@
 #include "csg/base/result.h"
 #include "csg/base/vec.h"
 #include "csg/solid/solid.h"
+#include "modeler/arrange/grid_mesh.h"
 #include "modeler/mesh/mesh.h"
 
 namespace whittle {
-
-using GridPoint = std::array<std::int64_t, 3>;
-using FacetTag = std::uint32_t;
-
-// Box in grid units, closed. Empty when lo > hi.
-struct GridBox {
-    GridPoint lo{1, 1, 1}, hi{0, 0, 0};
-    bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
-    bool operator==(const GridBox&) const = default;
-};
-
-// A closed, oriented mesh that does not cross itself. |coordinate| <= kLargestGridCoordinate. Triangles of one tag are exactly coplanar.
-struct GridMesh {
-    std::vector<GridPoint> points;
-    std::vector<Triangle> triangles;
-    std::vector<FacetTag> tags;
-    bool operator==(const GridMesh&) const = default;
-};
 
 // With it, a 3 x 3 determinant of differences stays below 2^127.
 inline constexpr std::int64_t kLargestGridCoordinate = std::int64_t{1} << 40;

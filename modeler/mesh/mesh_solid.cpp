@@ -112,7 +112,7 @@ private:
         bool first_is_empty = false;
         for (std::size_t i = 0; i < c.operands.size(); ++i) {
             Path inner = path;
-            if (c.op == SetOp::kDifference && i > 0) inner.subtracts = !path.subtracts;
+            if (c.op == SetOp::kDifference && i > 0) inner.subtracts = true;  // c in a - (b - c) too: its matter fills nothing
             auto built = build(c.operands[i], std::move(inner));
             if (!built) return built;
             if (*built) {
@@ -228,30 +228,26 @@ Bounds bounds_at_start(const Solid& solid, const Use& use) {
 }
 
 // Parts in double, one after the other; tags become leaf uses.
-Result<Mesh> gathered(const Planner& planner, const Instance& root, const Parts& parts) {
+Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts) {
     const Plan& plan = planner.plan();
     std::vector<FacetTag> starts;
     append_tag_starts(plan, root.ref.plan, 0, starts);
     Mesh mesh;
     for (const Part& part : parts) {
         const GridPoint by = sum(part.offset, root.ref.offset);
-        RoundedMesh rounded;
-        if (part.exact) {
-            const auto kernel = exact_kernel();
-            if (!kernel) return tl::unexpected(kernel.error());
-            rounded = (*kernel)->rounded(*part.exact);
-        } else {
-            const GridMesh& leaf = plan.node(part.leaf).leaf;
-            for (const GridPoint& p : leaf.points) rounded.points.emplace_back(p[0], p[1], p[2]);
-            rounded.triangles = leaf.triangles;
-            rounded.tags = leaf.tags;
-        }
+        const GridMesh& leaf = plan.node(part.leaf).leaf;
+        const auto& triangles = part.made ? part.made->triangles : leaf.triangles;
+        const auto& tags = part.made ? part.made->tags : leaf.tags;
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        for (const Vec3& p : rounded.points) mesh.points.push_back(in_mm(p, by, planner));
-        for (std::size_t i = 0; i < rounded.triangles.size(); ++i) {
-            const Triangle& t = rounded.triangles[i];
+        if (part.made) {
+            for (const Vec3& p : part.made->points) mesh.points.push_back(in_mm(p, by, planner));
+        } else {
+            for (const GridPoint& p : leaf.points) mesh.points.push_back(in_mm(Vec3{p[0], p[1], p[2]}, by, planner));
+        }
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const Triangle& t = triangles[i];
             mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-            const FacetTag tag = rounded.tags[i] + part.tag_base;
+            const FacetTag tag = tags[i] + part.tag_base;
             const auto at = std::upper_bound(starts.begin(), starts.end(), tag) - starts.begin() - 1;
             mesh.leaf.push_back(root.leaves[static_cast<std::size_t>(at)]);
         }
@@ -287,12 +283,10 @@ Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptio
     if (!*instance) return result;
 
     const CombineOptions how{options.threads, options.decimate};
-    const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, how, control, result.stats);
+    const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, (*instance)->leaves, how, control, result.stats);
     if (!parts) return tl::unexpected(parts.error());
     start = Clock::now();
-    auto mesh = gathered(planner, **instance, *parts);
-    if (!mesh) return tl::unexpected(mesh.error());
-    result.mesh = std::move(*mesh);
+    result.mesh = gathered(planner, **instance, *parts);
     weld(result.mesh);
     remove_flat_triangles(result.mesh);
     result.report = report_mesh(result.mesh);

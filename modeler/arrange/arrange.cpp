@@ -1,0 +1,43 @@
+#include "modeler/arrange/arrange.h"
+
+#include <chrono>
+
+#include "modeler/arrange/cells.h"
+#include "modeler/arrange/surface.h"
+
+namespace whittle {
+namespace {
+
+class Lap {
+public:
+    double seconds() {
+        const auto now = std::chrono::steady_clock::now();
+        const double passed = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return passed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expression, const ArrangeOptions& options, ArrangeStats& stats) {
+    Lap lap;
+    Patches patches = patches_of(operands);
+    const BoxTree tree(patches.boxes, patches.owner);
+    const auto small = small_faces_of(patches, tree, options.cancelled);
+    if (!small) return tl::unexpected(small.error());
+    stats.pairs += small->pairs;
+    stats.small_faces += small->faces.size();
+    stats.seconds_cut += lap.seconds();
+    const auto sides = classify(patches, tree, *small, expression);
+    if (!sides) return tl::unexpected(sides.error());
+    stats.seconds_classify += lap.seconds();
+    ArrangedMesh mesh = surface_of(patches, operands, *small, *sides, options, stats);
+    stats.seconds_join += lap.seconds();
+    return mesh;
+}
+
+}  // namespace whittle

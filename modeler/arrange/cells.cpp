@@ -1,0 +1,259 @@
+#include "modeler/arrange/cells.h"
+
+#include <cmath>
+
+#include "modeler/arrange/sets.h"
+
+namespace whittle {
+namespace {
+
+struct FaceEdge {
+    PointId lo, hi;
+    std::uint32_t face;
+    bool forward;  // the face runs from lo to hi
+};
+
+std::vector<FaceEdge> edges_of(const std::vector<SmallFace>& faces) {
+    std::vector<FaceEdge> edges;
+    edges.reserve(faces.size() * 3);
+    for (std::uint32_t f = 0; f < faces.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const PointId a = faces[f].v[k], b = faces[f].v[k == 2 ? 0 : k + 1];
+            edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+        }
+    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+        return a.lo != b.lo ? a.lo < b.lo : a.hi != b.hi ? a.hi < b.hi : a.face < b.face;
+    });
+    return edges;
+}
+
+// Orders the faces at an edge by the angle of their normals about it, each normal turned to the side that comes next counter-clockwise.
+class RoundAnEdge {
+public:
+    RoundAnEdge(const Patches& patches, const SmallFaces& small) : patches_(patches), small_(small) {}
+
+    void sort(std::vector<FaceEdge>& round) {
+        const PointId from = round.front().lo, to = round.front().hi;
+        const Approximate &p = patches_.points.near(from), &q = patches_.points.near(to);
+        axis_ = 0;
+        for (int k = 1; k < 3; ++k)
+            if (std::fabs(q[at(k)] - p[at(k)]) > std::fabs(q[at(axis_)] - p[at(axis_)])) axis_ = k;
+        direction_ = patches_.points.compare(to, from, axis_);
+        for (int k = 0; direction_ == 0 && k < 3; ++k) axis_ = k, direction_ = patches_.points.compare(to, from, k);
+        first_ = round.front();
+        std::sort(round.begin() + 1, round.end(), [&](const FaceEdge& a, const FaceEdge& b) {
+            const int half_a = half(a), half_b = half(b);
+            if (half_a != half_b) return half_a < half_b;
+            const int c = cross(a, b);
+            return c != 0 ? c > 0 : a.face < b.face;
+        });
+    }
+
+private:
+    static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    const ExactPlane& plane(const FaceEdge& e) const { return small_.planes[small_.faces[e.face].plane]; }
+
+    // 0: in the direction of the first, 1: less than half a turn on, 2: half a turn, 3: more.
+    int half(const FaceEdge& e) const {
+        const int c = cross(first_, e);
+        if (c != 0) return c > 0 ? 1 : 3;
+        return same_way(e) ? 0 : 2;
+    }
+    // Sign of (normal of a) x (normal of b) along the edge.
+    int cross(const FaceEdge& a, const FaceEdge& b) const {
+        const ExactPlane &p = plane(a), &q = plane(b);
+        const std::size_t j = at((axis_ + 1) % 3), k = at((axis_ + 2) % 3);
+        const double one = p.nd[j] * q.nd[k], two = p.nd[k] * q.nd[j], det = one - two;
+        constexpr double kProductError = 0x1p-50;
+        int sign = 0;
+        if (std::fabs(det) > kProductError * (std::fabs(one) + std::fabs(two))) {
+            sign = det > 0 ? 1 : -1;
+        } else {
+            sign = (Wide<2>(p.n[j]) * Wide<2>(q.n[k]) - Wide<2>(p.n[k]) * Wide<2>(q.n[j])).sign();
+        }
+        return sign * direction_ * (a.forward == b.forward ? 1 : -1);
+    }
+    // Normals are parallel.
+    bool same_way(const FaceEdge& e) const {
+        const ExactPlane &p = plane(first_), &q = plane(e);
+        const std::size_t k = at(p.largest_axis());
+        return ((p.n[k] > 0) == (q.n[k] > 0)) == (first_.forward == e.forward);
+    }
+
+    const Patches& patches_;
+    const SmallFaces& small_;
+    int axis_ = 0, direction_ = 1;
+    FaceEdge first_{};
+};
+
+// Sides are 2 * face (front) and 2 * face + 1 (back).
+std::uint32_t side_after(const FaceEdge& e) { return 2 * e.face + (e.forward ? 0 : 1); }
+std::uint32_t side_before(const FaceEdge& e) { return 2 * e.face + (e.forward ? 1 : 0); }
+
+bool join_sides(const Patches& patches, const SmallFaces& small, DisjointSets& sides) {
+    const std::vector<FaceEdge> edges = edges_of(small.faces);
+    RoundAnEdge sorter(patches, small);
+    std::vector<FaceEdge> round;
+    for (std::size_t i = 0, j; i < edges.size(); i = j) {
+        for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {}
+        if (j - i == 1) return false;
+        if (j - i == 2) {
+            sides.join(side_after(edges[i]), side_before(edges[i + 1]));
+            sides.join(side_after(edges[i + 1]), side_before(edges[i]));
+            continue;
+        }
+        round.assign(edges.begin() + static_cast<std::ptrdiff_t>(i), edges.begin() + static_cast<std::ptrdiff_t>(j));
+        sorter.sort(round);
+        for (std::size_t k = 0; k < round.size(); ++k) sides.join(side_after(round[k]), side_before(round[k + 1 == round.size() ? 0 : k + 1]));
+    }
+    return true;
+}
+
+// Regions, and the faces around each.
+struct Regions {
+    std::vector<std::uint32_t> of_side;
+    std::vector<std::uint32_t> first, faces;  // faces[first[r] .. first[r + 1])
+    std::size_t count() const { return first.size() - 1; }
+};
+
+Regions regions_of(DisjointSets& sides, std::size_t face_count) {
+    Regions out;
+    constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    std::vector<std::uint32_t> number(face_count * 2, kNone);
+    std::uint32_t count = 0;
+    out.of_side.resize(face_count * 2);
+    for (std::uint32_t s = 0; s < face_count * 2; ++s) {
+        std::uint32_t& n = number[sides.find(s)];
+        if (n == kNone) n = count++;
+        out.of_side[s] = n;
+    }
+    out.first.assign(count + 1, 0);
+    for (const std::uint32_t r : out.of_side) ++out.first[r + 1];
+    for (std::uint32_t r = 0; r < count; ++r) out.first[r + 1] += out.first[r];
+    out.faces.resize(face_count * 2);
+    std::vector<std::uint32_t> fill(out.first.begin(), out.first.end() - 1);
+    for (std::uint32_t s = 0; s < face_count * 2; ++s) out.faces[fill[out.of_side[s]]++] = s / 2;
+    return out;
+}
+
+double area_of(const PointTable& points, const SmallFace& f) {
+    const Approximate &a = points.near(f.v[0]), &b = points.near(f.v[1]), &c = points.near(f.v[2]);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const double n = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
+        sum += n * n;
+    }
+    return sum;
+}
+
+// Walks over the regions of one connected piece of surface, switching operands.
+class Walker {
+public:
+    Walker(const Patches& patches, const SmallFaces& small, const Regions& regions, Expression& expression)
+        : patches_(patches), small_(small), regions_(regions), expression_(expression), winding_(expression.operand_count(), 0),
+          inside_(regions.count(), kUnknown) {}
+
+    bool known(std::uint32_t region) const { return inside_[region] != kUnknown; }
+    bool inside(std::uint32_t region) const { return inside_[region] == 1; }
+
+    void walk(std::uint32_t region, const std::vector<std::pair<std::uint32_t, int>>& windings) {
+        for (const auto& [operand, by] : windings) turn(operand, by);
+        enter(region, kNoFace);
+        while (!way_.empty()) {
+            Stop& stop = way_.back();
+            if (stop.next == regions_.first[stop.region + 1]) {
+                if (stop.through != kNoFace) cross(stop.through, -stop.direction);
+                way_.pop_back();
+                continue;
+            }
+            const std::uint32_t face = regions_.faces[stop.next++];
+            const std::uint32_t front = regions_.of_side[2 * face], back = regions_.of_side[2 * face + 1];
+            const std::uint32_t other = front == stop.region ? back : front;
+            if (inside_[other] != kUnknown) continue;
+            const int direction = other == back ? 1 : -1;
+            cross(face, direction);
+            enter(other, face, direction);
+        }
+        for (const auto& [operand, by] : windings) turn(operand, -by);
+    }
+
+private:
+    static constexpr std::uint8_t kUnknown = 2;
+    static constexpr std::uint32_t kNoFace = 0xFFFFFFFF;
+    struct Stop {
+        std::uint32_t region, next, through;
+        int direction;
+    };
+
+    void enter(std::uint32_t region, std::uint32_t through, int direction = 0) {
+        inside_[region] = expression_.value() ? 1 : 0;
+        way_.push_back({region, regions_.first[region], through, direction});
+    }
+    // direction 1: from the front to the back.
+    void cross(std::uint32_t face, int direction) {
+        for (const CoverEntry& e : small_.covers[small_.faces[face].cover]) turn(patches_.facets[e.facet].operand, e.sign * direction);
+    }
+    void turn(std::uint32_t operand, int by) {
+        int& w = winding_[operand];
+        const bool was = w != 0;
+        w += by;
+        if (was != (w != 0)) expression_.set(operand, w != 0);
+    }
+
+    const Patches& patches_;
+    const SmallFaces& small_;
+    const Regions& regions_;
+    Expression& expression_;
+    std::vector<int> winding_;
+    std::vector<std::uint8_t> inside_;
+    std::vector<Stop> way_;
+};
+
+// The largest faces of every connected piece, largest first.
+std::vector<std::vector<std::uint32_t>> largest_faces(const Patches& patches, const SmallFaces& small, const Regions& regions) {
+    DisjointSets pieces(regions.count());
+    for (std::uint32_t f = 0; f < small.faces.size(); ++f) pieces.join(regions.of_side[2 * f], regions.of_side[2 * f + 1]);
+    constexpr std::size_t kFew = 8;
+    std::vector<std::vector<std::pair<double, std::uint32_t>>> best(regions.count());
+    for (std::uint32_t f = 0; f < small.faces.size(); ++f) {
+        auto& list = best[pieces.find(regions.of_side[2 * f])];
+        const double area = area_of(patches.points, small.faces[f]);
+        if (list.size() == kFew && area <= list.back().first) continue;
+        if (list.size() == kFew) list.pop_back();
+        list.emplace_back(area, f);
+        std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    }
+    std::vector<std::vector<std::uint32_t>> out;
+    for (const auto& list : best) {
+        if (list.empty()) continue;
+        out.emplace_back();
+        for (const auto& [area, f] : list) out.back().push_back(f);
+    }
+    return out;
+}
+
+}  // namespace
+
+Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, Expression& expression) {
+    DisjointSets sides(small.faces.size() * 2);
+    if (!join_sides(patches, small, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
+    const Regions regions = regions_of(sides, small.faces.size());
+    Walker walker(patches, small, regions, expression);
+    for (const auto& faces : largest_faces(patches, small, regions)) {
+        bool done = false;
+        for (const std::uint32_t f : faces) {
+            const auto windings = windings_in_front(patches, tree, small, small.faces[f]);
+            if (!windings) continue;
+            walker.walk(regions.of_side[2 * f], *windings);
+            done = true;
+            break;
+        }
+        if (!done) return fail(Fault::kScene, "solids cannot be combined: a piece is too thin to be told inside from outside");
+    }
+    std::vector<FaceSides> out(small.faces.size());
+    for (std::size_t f = 0; f < out.size(); ++f) out[f] = {walker.inside(regions.of_side[2 * f]), walker.inside(regions.of_side[2 * f + 1])};
+    return out;
+}
+
+}  // namespace whittle

@@ -1,0 +1,43 @@
+#include "modeler/arrange/expression.h"
+
+namespace whittle {
+
+Expression::Id Expression::operand() {
+    const auto id = static_cast<Id>(nodes_.size());
+    nodes_.emplace_back();
+    operands_.push_back(id);
+    return id;
+}
+
+Expression::Id Expression::combine(SetOp op, const std::vector<Id>& children) {
+    const auto id = static_cast<Id>(nodes_.size());
+    Node node;
+    node.op = op;
+    node.children = static_cast<std::uint32_t>(children.size());
+    nodes_.push_back(node);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        nodes_[children[i]].parent = id;
+        nodes_[children[i]].first = op == SetOp::kDifference && i == 0;
+    }
+    return id;
+}
+
+void Expression::set(std::uint32_t operand, bool inside) {
+    Id at = operands_[operand];
+    bool value = inside;
+    while (nodes_[at].value != value) {
+        nodes_[at].value = value;
+        const Node& child = nodes_[at];
+        if (child.parent == kNone) return;
+        Node& parent = nodes_[child.parent];
+        if (child.first) {
+            parent.minuend = value;
+        } else {
+            parent.on += value ? 1U : ~0U;
+        }
+        value = parent.op == SetOp::kUnion ? parent.on > 0 : parent.op == SetOp::kIntersection ? parent.on == parent.children : parent.minuend && parent.on == 0;
+        at = child.parent;
+    }
+}
+
+}  // namespace whittle

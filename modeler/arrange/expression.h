@@ -1,0 +1,38 @@
+// expression.h — a set expression over operands whose value is kept while operands are switched on and off.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csg/solid/solid.h"
+
+namespace whittle {
+
+class Expression {
+public:
+    using Id = std::uint32_t;
+
+    Id operand();                   // numbered in order: see operand_of
+    Id combine(SetOp op, const std::vector<Id>& children);  // kDifference: the first less all others
+    void finish(Id root) { root_ = root; }
+
+    std::size_t operand_count() const { return operands_.size(); }
+    void set(std::uint32_t operand, bool inside);
+    bool value() const { return nodes_[root_].value; }
+
+private:
+    static constexpr Id kNone = 0xFFFFFFFF;
+    struct Node {
+        SetOp op = SetOp::kUnion;
+        Id parent = kNone;
+        bool first = false;            // the first child of a difference
+        bool value = false;
+        std::uint32_t children = 0, on = 0;  // of a difference: its cutters
+        bool minuend = false;
+    };
+    std::vector<Node> nodes_;
+    std::vector<Id> operands_;
+    Id root_ = 0;
+};
+
+}  // namespace whittle
