@@ -19,7 +19,7 @@ struct TextRequest {
     bool operator==(const TextRequest&) const = default;
 };
 
-// Whose coordinates the outlines have: the font's own, or those that OpenSCAD sees (hinted for a size in thousandths, then rounded to them).
+// Whose coordinates the outlines have: the font's own, or those that OpenSCAD sees (rounded to 1e-5 of the size).
 enum class GlyphGrid { kFont, kOpenScad };
 
 struct TextGlyph {
@@ -31,7 +31,7 @@ struct TextGlyph {
 struct TextMetrics { Vec2 position{0}, size{0}, offset{0}, advance{0}; double ascent = 0, descent = 0; };
 
 struct TextOutline {
-    std::vector<DrawnFigure> outlines;  // each glyph once, in units of unit_mm: whole numbers with GlyphGrid::kFont
+    std::vector<DrawnFigure> outlines;  // each glyph once: whole numbers, in units of unit_mm
     std::vector<TextGlyph> glyphs;
     double unit_mm = 1;
     TextMetrics metrics;

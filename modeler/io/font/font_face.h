@@ -41,10 +41,10 @@ struct Face {
 // The face that fontconfig gives for a name as OpenSCAD takes it ("Family:style=Style"; empty: Liberation Sans).
 Result<std::unique_ptr<Face>> find_face(FcConfig* config, FT_Library library, const std::string& font);
 
-// A glyph after shaping; advances and offsets are not yet divided by anything.
+// A glyph after shaping.
 struct ShapedGlyph {
     FT_UInt index = 0;
-    Vec2 advance{0}, offset{0};  // mm
+    Vec2 advance{0}, offset{0};  // in sizes of the text
     FT_BBox box{};               // of the scaled outline, on whole pixels
 };
 struct ShapedText {
@@ -52,10 +52,10 @@ struct ShapedText {
     bool vertical = false;
 };
 
-// Shapes the text at the size of the request; the face stays set to it. Direction and script are guessed where not given.
+// Shapes the text; the face stays scaled as OpenSCAD scales it. Direction and script are guessed where not given.
 Result<ShapedText> shape_text(Face& face, const TextRequest& request);
 
-// The outline of a glyph, in thousandths of a mm as set by shape_text, or in the font's own half units.
+// The outline of a glyph, in 1e-5 of the size, as set by shape_text, or in the font's own half units.
 Result<DrawnFigure> glyph_outline(Face& face, FT_UInt index, GlyphGrid grid);
 
 // Where the origin of the first glyph goes, by halign and valign; and the measures of the whole.

@@ -13,6 +13,7 @@ namespace {
 
 // Points of an em: 72 of them are an inch, of which FreeType is told that it has 100 dots.
 constexpr double kEmPerSize = 100.0 / 72;
+constexpr double kOpenScadUnits = 1e5;
 
 // What the ink covers, from the outlines' own points and control points.
 struct Ink {
@@ -91,7 +92,7 @@ private:
         TextOutline out;
         out.font = face.name;
         out.substituted = face.substituted;
-        out.unit_mm = grid == GlyphGrid::kFont ? request.size * kEmPerSize / (2.0 * face.face->units_per_EM) : 1;
+        out.unit_mm = grid == GlyphGrid::kFont ? request.size * kEmPerSize / (2.0 * face.face->units_per_EM) : request.size / kOpenScadUnits;
         out.metrics.offset = text_offset(shaped, request, out.warnings);
         std::map<FT_UInt, std::size_t> known;
         Vec2 pen(0);
@@ -103,12 +104,12 @@ private:
                 if (!outline) return tl::unexpected(outline.error());
                 out.outlines.push_back(std::move(*outline));
             }
-            const Vec2 place = out.metrics.offset + pen + g.offset;
+            const Vec2 place = out.metrics.offset + pen + g.offset * request.size;
             for (const DrawnContour& contour : out.outlines[at->second].contours)
                 for (const DrawnSide& step : contour.sides)
                     for (int i = 0; i < step.degree; ++i) ink.add(step.p[static_cast<std::size_t>(i)] * out.unit_mm, place);
             if (!out.outlines[at->second].contours.empty()) out.glyphs.push_back({at->second, place});
-            pen += g.advance * request.spacing;
+            pen += g.advance * (request.spacing * request.size);
         }
         out.metrics.advance = pen;
         if (out.glyphs.empty()) return out;

@@ -1,7 +1,7 @@
 // shape_text.cpp — letters to glyphs and places, as OpenSCAD 2021.01 lays them out; glyphs to outlines.
 //
-// OpenSCAD has FreeType scale a face to 1000 times the size at 100 dots an inch, so that a unit of the outline (1/64 dot) is a thousandth of a mm; but
-// it divides advances and boxes by 1024. Letters stand where it puts them.
+// OpenSCAD has FreeType scale every face to 100,000/64 points at 100 dots an inch, whatever the size of the text, so that a unit of the outline (1/64
+// dot) is 1e-5 of the size; but it divides advances and boxes by 102,400. Letters stand where it puts them.
 #include <algorithm>
 #include <cmath>
 
@@ -16,10 +16,9 @@
 namespace whittle {
 namespace {
 
-constexpr double kUnitsPerMm = 1000, kLayoutUnitsPerMm = 1024;
+constexpr FT_F26Dot6 kCharSize = 100000;
+constexpr double kLayoutUnits = 102400;
 constexpr unsigned kDotsPerInch = 100;
-// FreeType's sizes are 26.6 numbers of 32 bits.
-constexpr double kLargestSize = 2e5;
 
 bool tells_nothing(hb_script_t script) {
     return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN || script == HB_SCRIPT_INVALID;
@@ -75,27 +74,26 @@ Result<FT_BBox> box_of(FT_Face face, FT_UInt index) {
 // Takes FreeType's outline step by step.
 struct Sketch {
     DrawnFigure outline;
-    double units;
 
-    Vec2 point(const FT_Vector* v) const { return {static_cast<double>(v->x) / units, static_cast<double>(v->y) / units}; }
+    static Vec2 point(const FT_Vector* v) { return {static_cast<double>(v->x), static_cast<double>(v->y)}; }
     void step(int degree, std::array<Vec2, 3> p) {
         if (!outline.contours.empty()) outline.contours.back().sides.push_back({degree, p, 0});
     }
     static Sketch& of(void* user) { return *static_cast<Sketch*>(user); }
     static int move(const FT_Vector* to, void* user) {
-        of(user).outline.contours.push_back({of(user).point(to), {}});
+        of(user).outline.contours.push_back({point(to), {}});
         return 0;
     }
     static int line(const FT_Vector* to, void* user) {
-        of(user).step(1, {of(user).point(to)});
+        of(user).step(1, {point(to)});
         return 0;
     }
     static int conic(const FT_Vector* c, const FT_Vector* to, void* user) {
-        of(user).step(2, {of(user).point(c), of(user).point(to)});
+        of(user).step(2, {point(c), point(to)});
         return 0;
     }
     static int cubic(const FT_Vector* c, const FT_Vector* d, const FT_Vector* to, void* user) {
-        of(user).step(3, {of(user).point(c), of(user).point(d), of(user).point(to)});
+        of(user).step(3, {point(c), point(d), point(to)});
         return 0;
     }
 };
@@ -103,9 +101,7 @@ struct Sketch {
 }  // namespace
 
 Result<ShapedText> shape_text(Face& face, const TextRequest& request) {
-    if (!(std::fabs(request.size) <= kLargestSize)) return fail(Fault::kScene, fmt::format("text() cannot have size {:g}", request.size));
-    if (FT_Set_Char_Size(face.face, 0, static_cast<FT_F26Dot6>(request.size * kUnitsPerMm), kDotsPerInch, kDotsPerInch) != 0)
-        return fail(Fault::kScene, fmt::format("the font cannot have size {:g}", request.size));
+    if (FT_Set_Char_Size(face.face, 0, kCharSize, kDotsPerInch, kDotsPerInch) != 0) return fail(Fault::kScene, fmt::format("the font {} cannot be scaled", face.name));
     const HbFontPtr font(hb_ft_font_create_referenced(face.face));
     const HbBufferPtr buffer(hb_buffer_create());
     set_properties(buffer.get(), request);
@@ -121,7 +117,7 @@ Result<ShapedText> shape_text(Face& face, const TextRequest& request) {
         if (!box) return tl::unexpected(box.error());
         const Vec2 advance{static_cast<double>(places[i].x_advance), static_cast<double>(places[i].y_advance)};
         const Vec2 offset{static_cast<double>(places[i].x_offset), static_cast<double>(places[i].y_offset)};
-        out.glyphs.push_back({glyphs[i].codepoint, advance / kLayoutUnitsPerMm, offset / kLayoutUnitsPerMm, *box});
+        out.glyphs.push_back({glyphs[i].codepoint, advance / kLayoutUnits, offset / kLayoutUnits, *box});
     }
     return out;
 }
@@ -130,12 +126,12 @@ Vec2 text_offset(const ShapedText& text, const TextRequest& request, std::vector
     double width = 0, ascent = 0, descent = 0;
     for (const ShapedGlyph& g : text.glyphs) {
         if (text.vertical) {
-            width = std::max(width, static_cast<double>(g.box.xMax - g.box.xMin) / kLayoutUnitsPerMm);
+            width = std::max(width, static_cast<double>(g.box.xMax - g.box.xMin) / kLayoutUnits);
             ascent += g.advance.y * request.spacing;
         } else {
             width += g.advance.x * request.spacing;
-            ascent = std::max(ascent, static_cast<double>(g.box.yMax) / kLayoutUnitsPerMm);
-            descent = std::max(descent, static_cast<double>(-g.box.yMin) / kLayoutUnitsPerMm);
+            ascent = std::max(ascent, static_cast<double>(g.box.yMax) / kLayoutUnits);
+            descent = std::max(descent, static_cast<double>(-g.box.yMin) / kLayoutUnits);
         }
     }
     Vec2 offset(0);
@@ -147,7 +143,7 @@ Vec2 text_offset(const ShapedText& text, const TextRequest& request, std::vector
     else if (request.valign == "bottom") offset.y = descent;
     else if (request.valign != "baseline")
         warnings.push_back(fmt::format("Unknown value for the valign parameter (use \"baseline\", \"bottom\", \"top\" or \"center\"): '{}'", request.valign));
-    return offset;
+    return offset * request.size;
 }
 
 Result<DrawnFigure> glyph_outline(Face& face, FT_UInt index, GlyphGrid grid) {
@@ -156,7 +152,7 @@ Result<DrawnFigure> glyph_outline(Face& face, FT_UInt index, GlyphGrid grid) {
         return fail(Fault::kScene, fmt::format("glyph {} of the font has no outline", index));
     // Half units: the points between two control points, which the font leaves out, are whole too.
     const FT_Outline_Funcs funcs{Sketch::move, Sketch::line, Sketch::conic, Sketch::cubic, own ? 1 : 0, 0};
-    Sketch sketch{{}, own ? 1.0 : kUnitsPerMm};
+    Sketch sketch;
     if (FT_Outline_Decompose(&face.face->glyph->outline, &funcs, &sketch) != 0) return fail(Fault::kScene, fmt::format("glyph {} of the font is broken", index));
     return std::move(sketch.outline);
 }
