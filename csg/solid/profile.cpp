@@ -17,6 +17,9 @@ using ClipperLib::Paths;
 
 // Bits of a coordinate on the grid: Clipper takes up to 62.
 constexpr int kGridBits = 44;
+// Of the grid for corners that carry rounding, and how many of its units two of them may be apart.
+constexpr int kRoundedBits = 32;
+constexpr double kSameCorner = 2;
 constexpr int kFewestChords = 8;
 constexpr int kMostChords = 1 << 16;
 constexpr double kPi = 3.14159265358979323846;
@@ -143,11 +146,11 @@ Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
 
 namespace {
 
-double grid_of(const std::vector<std::vector<Vec2>>& rings, double at_least) {
+double size_of(const std::vector<std::vector<Vec2>>& rings, double at_least) {
     double size = at_least;
     for (const auto& ring : rings)
         for (const Vec2& p : ring) size = std::max({size, std::fabs(p.x), std::fabs(p.y)});
-    return scale_for(size);
+    return size;
 }
 
 Paths on_grid(const std::vector<std::vector<Vec2>>& rings, double scale) {
@@ -171,18 +174,23 @@ Contours off_grid(const Paths& paths, double scale) {
 }  // namespace
 
 Contours united_rings(const std::vector<std::vector<Vec2>>& rings) {
-    const double scale = grid_of(rings, 0);
+    const double scale = std::ldexp(scale_for(size_of(rings, 0)), kRoundedBits - kGridBits);
     if (!(scale > 0) || !std::isfinite(scale)) return {};
-    ClipperLib::Clipper clipper;
-    clipper.StrictlySimple(true);
-    clipper.AddPaths(on_grid(rings, scale), ClipperLib::ptSubject, true);
-    Paths result;
-    clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive, ClipperLib::pftPositive);
-    return off_grid(result, scale);
+    const auto united = [](const Paths& paths) {
+        ClipperLib::Clipper clipper;
+        clipper.StrictlySimple(true);
+        clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+        Paths result;
+        clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive, ClipperLib::pftPositive);
+        return result;
+    };
+    Paths result = united(on_grid(rings, scale));
+    ClipperLib::CleanPolygons(result, kSameCorner);
+    return off_grid(united(result), scale);
 }
 
 Contours offset_contours(const Contours& contours, double delta, Join join, int fragments) {
-    const double scale = grid_of(contours, std::fabs(delta));
+    const double scale = scale_for(size_of(contours, std::fabs(delta)));
     if (!(scale > 0) || !std::isfinite(scale)) return {};
     const Paths paths = on_grid(contours, scale);
     const double arc_tolerance = std::fabs(delta) * (1 - cosd(180.0 / std::max(3, fragments)));

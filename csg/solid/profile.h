@@ -16,7 +16,8 @@ inline constexpr double kProfileTolerance = 0x1p-14;
 // Requires: is_2d(node), tolerance > 0.
 Contours contours_of(const Solid& solid, NodeId node, double tolerance);
 
-// The union of rings, on the same kind of grid: inside is what they go round, on balance, at least once counter-clockwise.
+// The union of rings whose corners carry rounding, on a grid of 2^-32 of their size: inside is what they go round, on balance, at least once
+// counter-clockwise. Corners closer than two units of the grid to each other or to the line of their neighbours become one or go.
 Contours united_rings(const std::vector<std::vector<Vec2>>& rings);
 
 enum class Join { kRound, kMiter, kSquare };
