@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "modeler/arrange/crossings.h"
 #include "modeler/mesh/combine.h"
 #include "modeler/mesh/mesh.h"
+#include "modeler/mesh/settle.h"
 #include "modeler/mesh/tessellate.h"
 #include "modeler/mesh/weld.h"
 
@@ -213,10 +215,13 @@ void append_tag_starts(const Plan& plan, PlanId id, FacetTag base, std::vector<F
     append_tag_starts(plan, n.b.plan, base + plan.node(n.a.plan).tag_count, starts);
 }
 
-// A point in millimetres: a leaf's own corner as it was, any other divided by the grid.
-Vec3 in_mm(const Vec3& p, const GridPoint& by, const Planner& planner) {
+// What a leaf's own corners become: the doubles they were made with, or the grid points they stand on.
+enum class Corners { kAsMade, kOnGrid };
+
+// A point in millimetres.
+Vec3 in_mm(const Vec3& p, const GridPoint& by, const Planner& planner, Corners corners) {
     const Vec3 whole{std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)};
-    if (whole == p)
+    if (whole == p && corners == Corners::kAsMade)
         if (const Vec3* was = planner.known().find(sum({std::llround(p.x), std::llround(p.y), std::llround(p.z)}, by))) return *was;
     return (p + Vec3{by[0], by[1], by[2]}) / planner.grid().per_mm;
 }
@@ -228,7 +233,7 @@ Bounds bounds_at_start(const Solid& solid, const Use& use) {
 }
 
 // Parts in double, one after the other; tags become leaf uses.
-Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts) {
+Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts, Corners corners) {
     const Plan& plan = planner.plan();
     std::vector<FacetTag> starts;
     append_tag_starts(plan, root.ref.plan, 0, starts);
@@ -240,9 +245,9 @@ Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts) 
         const auto& tags = part.made ? part.made->tags : leaf.tags;
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
         if (part.made) {
-            for (const Vec3& p : part.made->points) mesh.points.push_back(in_mm(p, by, planner));
+            for (const Vec3& p : part.made->points) mesh.points.push_back(in_mm(p, by, planner, corners));
         } else {
-            for (const GridPoint& p : leaf.points) mesh.points.push_back(in_mm(Vec3{p[0], p[1], p[2]}, by, planner));
+            for (const GridPoint& p : leaf.points) mesh.points.push_back(in_mm(Vec3{p[0], p[1], p[2]}, by, planner, corners));
         }
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const Triangle& t = triangles[i];
@@ -253,6 +258,24 @@ Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts) 
         }
     }
     return mesh;
+}
+
+// The mesh in double, with the corners as made where nothing crosses then.
+void settle(const Planner& planner, const Instance& root, const Parts& parts, MeshControl& control, MeshResult& result) {
+    result.mesh = gathered(planner, root, parts, Corners::kAsMade);
+    weld(result.mesh);
+    remove_flat_triangles(result.mesh);
+    std::uint64_t crossings = count_crossings(result.mesh.points, result.mesh.triangles);
+    if (crossings > 0) {
+        Settled settled = settled_in_double(gathered(planner, root, parts, Corners::kOnGrid), control);
+        if (settled.crossings < crossings) {
+            crossings = settled.crossings;
+            result.mesh = std::move(settled.mesh);
+        }
+    }
+    if (crossings > 0) result.warnings.push_back(fmt::format("{} pairs of facets cross after rounding to double", crossings));
+    result.report = report_mesh(result.mesh);
+    result.report.self_intersections = crossings;
 }
 
 }  // namespace
@@ -286,10 +309,7 @@ Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptio
     const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, (*instance)->leaves, how, control, result.stats);
     if (!parts) return tl::unexpected(parts.error());
     start = Clock::now();
-    result.mesh = gathered(planner, **instance, *parts);
-    weld(result.mesh);
-    remove_flat_triangles(result.mesh);
-    result.report = report_mesh(result.mesh);
+    settle(planner, **instance, *parts, control, result);
     result.stats.seconds_round = seconds_since(start);
     return result;
 }

@@ -1,0 +1,89 @@
+#include "modeler/mesh/settle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/arrange/arrange.h"
+#include "modeler/arrange/crossings.h"
+#include "modeler/mesh/weld.h"
+
+namespace whittle {
+namespace {
+
+// More rounds than any mesh has needed.
+constexpr int kRounds = 6;
+
+Settled looked_at(Mesh mesh) {
+    weld(mesh);
+    remove_flat_triangles(mesh);
+    Settled out{std::move(mesh), 0, false};
+    out.crossings = count_crossings(out.mesh.points, out.mesh.triangles);
+    return out;
+}
+
+double largest_coordinate(const Mesh& mesh) {
+    double most = 0;
+    for (const Vec3& p : mesh.points) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    return most;
+}
+
+// The mesh with all points at multiples of 2^exponent, what crosses arranged. Nothing where it cannot be.
+std::optional<Mesh> rearranged(const Mesh& mesh, int exponent, MeshControl& control) {
+    GridMesh grid;
+    for (const Vec3& p : mesh.points) {
+        const auto whole = [&](double x) { return std::llround(std::ldexp(x, -exponent)); };
+        grid.points.push_back({whole(p.x), whole(p.y), whole(p.z)});
+    }
+    grid.triangles = mesh.triangles;
+    for (FacetTag i = 0; i < mesh.triangles.size(); ++i) grid.tags.push_back(i);
+    Expression alone;
+    alone.finish(alone.operand());
+    const Operand operand{&grid, {}, 0, 0, true};
+    ArrangeStats stats;
+    auto made = arrange({&operand, 1}, alone, {true, [&] { return control.cancelled(); }}, stats);
+    if (!made) return std::nullopt;
+    Mesh out;
+    for (const Vec3& p : made->points) out.points.push_back({std::ldexp(std::nearbyint(p.x), exponent), std::ldexp(std::nearbyint(p.y), exponent), std::ldexp(std::nearbyint(p.z), exponent)});
+    out.triangles = std::move(made->triangles);
+    if (!mesh.leaf.empty())
+        for (const FacetTag tag : made->tags) out.leaf.push_back(mesh.leaf[tag]);
+    return out;
+}
+
+// Rounds and arranges on the finest grid whose points have so many bits.
+Settled settled_on_grid(Settled first, const Mesh& mesh, int bits, MeshControl& control) {
+    int exponent = 0;
+    std::frexp(largest_coordinate(mesh), &exponent);
+    exponent -= bits;
+    Settled best = std::move(first);
+    Mesh now = mesh;
+    for (int round = 0; round < kRounds && best.crossings > 0 && !control.cancelled(); ++round) {
+        auto next = rearranged(now, exponent, control);
+        if (!next) break;
+        now = std::move(*next);
+        Settled seen = looked_at(now);
+        seen.rearranged = true;
+        if (seen.crossings < best.crossings) best = std::move(seen);
+    }
+    return best;
+}
+
+}  // namespace
+
+Settled settled_in_double(const Mesh& mesh, MeshControl& control) {
+    Settled first = looked_at(mesh);
+    if (first.crossings == 0) return first;
+    constexpr int kBits = 49;  // of kLargestPlacedCoordinate's 50
+    return settled_on_grid(std::move(first), mesh, kBits, control);
+}
+
+Settled settled_in_single(const Mesh& mesh, MeshControl& control) {
+    Mesh rounded = mesh;
+    for (Vec3& p : rounded.points) p = Vec3(glm::vec3(p));
+    Settled first = looked_at(std::move(rounded));
+    if (first.crossings == 0) return first;
+    constexpr int kBits = 24;  // of a float's mantissa
+    return settled_on_grid(std::move(first), mesh, kBits, control);
+}
+
+}  // namespace whittle
