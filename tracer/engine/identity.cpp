@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "tracer/engine/mutation.h"
 #include "tracer/engine/world_surface.h"
 
 namespace whittle {
@@ -170,6 +171,6 @@ private:
 
 }  // namespace
 
-Classes find_classes(const SupportTable& table, bool snap) { return Finder(table, snap).run(); }
+Classes find_classes(const SupportTable& table, bool snap) { return Finder(table, snap && !mutated(Mutation::kOwnIdentity)).run(); }
 
 }  // namespace whittle

@@ -8,6 +8,7 @@
 #include "csg/span/perturbation.h"
 #include "csg/span/ray.h"
 #include "tracer/engine/dyadic.h"
+#include "tracer/engine/mutation.h"
 
 namespace whittle::exact {
 
@@ -54,9 +55,10 @@ private:
 // The ray's origin, nudged (csg/span/perturbation.h).
 inline std::array<Nudged, 3> nudged_origin(const Ray& ray) {
     std::array<Nudged, 3> origin;
+    const double way = mutated(Mutation::kReversedRule) ? -1 : 1;
     for (int i = 0; i < 3; ++i)
         origin[static_cast<std::size_t>(i)] =
-            Nudged({Dyadic(ray.origin[i]), Dyadic(kPerturbation[0][i]), Dyadic(kPerturbation[1][i]), Dyadic(kPerturbation[2][i])});
+            Nudged({Dyadic(ray.origin[i]), Dyadic(way * kPerturbation[0][i]), Dyadic(way * kPerturbation[1][i]), Dyadic(way * kPerturbation[2][i])});
     return origin;
 }
 

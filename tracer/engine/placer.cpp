@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tracer/engine/mutation.h"
+
 namespace whittle {
 
 namespace {
@@ -60,7 +62,7 @@ SupportId SupportTable::add(const Support& support, const Bounds& box, double ro
     const std::uint64_t h = hash_of(support.p, static_cast<std::uint64_t>(support.kind) * 8 + support.axis + (std::uint64_t{support.frame} << 8));
     const auto [from, to] = supports_by_hash_.equal_range(h);
     for (auto it = from; it != to; ++it)
-        if (supports[it->second] == support) {
+        if (supports[it->second] == support && !mutated(Mutation::kOwnIdentity)) {
             Occurrence& o = occurrences[it->second];
             include(o.box, box);
             o.extent = std::max(o.extent, extent);

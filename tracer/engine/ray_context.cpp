@@ -17,9 +17,13 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
         stamp_ = 1;
     }
     ray_ = ray;
+    if (mutated(Mutation::kEpsilonContinuation) && ray.departure != nullptr) {
+        ray_.origin = point_at(ray, 1e-6);
+        ray_.departure = nullptr;
+    }
     counters_ = &counters;
     exact_.clear();
-    root_ = ray_in_frame(program.frames[0], ray);
+    root_ = ray_in_frame(program.frames[0], ray_);
     slab_ = slab_ray(root_.o, root_.d);
     for (std::size_t i = 0; i < 3; ++i) regular_[i] = std::isnormal(slab_.inverse[i]) && std::isfinite(root_.o[i]);
 }
@@ -68,7 +72,7 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
     if (decided) return;
     ++counters_->escalated_double_double;
-    if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out)) out = exact(id).crossings;
+    if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
 }
 
 const RayContext::Exact& RayContext::exact(ClassId id) {
@@ -107,6 +111,7 @@ int RayContext::compare_closely(const Event& a, const Event& b) {
 }
 
 int RayContext::compare_exactly(const Event& a, const Event& b) {
+    if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
     ++counters_->escalated_exact;
     if (a.id == kNoClass) return -compare_exactly(b, a);
     const exact::RealRoot first = exact(a.id).roots[a.index];

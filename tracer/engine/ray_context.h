@@ -4,10 +4,12 @@
 // double-double; where that cannot tell either, exactly. docs/numerics.md, order.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "tracer/engine/exact_crossings.h"
+#include "tracer/engine/mutation.h"
 #include "tracer/engine/program.h"
 
 namespace whittle {
@@ -38,12 +40,14 @@ public:
         } else {
             curved_crossings(id, s, out);
         }
+        if (mutated(Mutation::kNoBounds)) out.error = {};
     }
     // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
     int compare(const Event& a, const Event& b) {
-        const double d = a.t - b.t, room = a.error + b.error;
+        const double d = a.t - b.t, room = mutated(Mutation::kRayEpsilon) ? 1e-12 : a.error + b.error;
         if (d > room) return 1;
         if (d < -room) return -1;
+        if (mutated(Mutation::kRayEpsilon) && std::abs(d) <= 1e-12 && a.id != b.id) return 0;
         return compare_closely(a, b);
     }
 

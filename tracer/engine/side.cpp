@@ -20,7 +20,7 @@ int sign_of(RayContext& context, FrameId frame, const Expression& expression) {
     ++context.counters().escalated_double_double;
     const std::array<Bounded, 3> origin{Bounded(ray.origin.x), Bounded(ray.origin.y), Bounded(ray.origin.z)};
     const Bounded close = expression(line_in_frame<Bounded>(context.frame(frame), origin, ray.direction), Bounded());
-    if (close.is_certain() && close.sign() != 0) return close.sign();
+    if ((close.is_certain() && close.sign() != 0) || mutated(Mutation::kNoExactTier)) return close.sign();
     ++context.counters().escalated_exact;
     return expression(line_in_frame<Nudged>(context.frame(frame), exact::nudged_origin(ray), ray.direction), Nudged()).sign();
 }
