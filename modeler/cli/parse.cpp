@@ -211,6 +211,11 @@ void Declaration::declare_render() {
         render.options.integrator = kind.value_or(Integrator::kAuto);
         return kind.has_value();
     });
+    value("--filter", "box, gaussian or mitchell", "Weighs the samples around a pixel (gaussian)", kGroup, [&render](const std::string& t) {
+        const auto kind = filter_named(t);
+        render.options.filter = kind.value_or(FilterKind::kGaussian);
+        return kind.has_value();
+    });
     declare_picture();
 }
 
@@ -237,7 +242,7 @@ void Declaration::declare_picture() {
     value("--tile", "x,y,w,h", "Draw this part of the picture only", kGroup, [&render](const std::string& t) { return read_tile(t, render.options.region); });
     value("--shard", "k/n", "Draw the k-th of n parts (1/n to n/n); merge puts them together", kGroup,
           [&render](const std::string& t) { return read_shard(t, render.options.shard); });
-    not_yet("--resume", false, kGroup);
+    flag("--resume", "Go on from PICTURE.part, which a rendering that was stopped leaves", render.resume, kGroup);
 }
 
 void Declaration::declare_mesh() {
@@ -334,6 +339,8 @@ Result<void> validate(const VerbInfo* verb, Request& request) {
     if (request.verb == Verb::kSpans && request.spans.rays.empty() && request.spans.rays_file.empty())
         return fail(Fault::kCommand, "spans wants --ray ox,oy,oz,dx,dy,dz or --rays FILE");
     if (request.spans.rays_file == "-" && request.inputs[0] == "-") return fail(Fault::kCommand, "the scene and the rays cannot both be standard input");
+    if (request.render.resume && request.render.watch) return fail(Fault::kCommand, "--resume and --watch exclude each other: a watched picture has no checkpoint");
+    if (request.render.resume && !request.outputs.empty() && request.outputs[0] == "-") return fail(Fault::kCommand, "--resume wants a picture with a name: its checkpoint stands beside it");
     const auto& region = request.render.options.region;
     if (region && (region->x + region->width > request.render.options.width || region->y + region->height > request.render.options.height))
         return fail(Fault::kCommand, "--tile reaches outside the picture");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/core.h>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kBarEvery_s = 0.1, kJsonEvery_s = 0.5, kLineEvery_s = 10, kSilentAtFirst_s = 0.5;
 constexpr int kBarWidth = 32;
+constexpr double kLeastShare = 0.02;  // below it, the speed so far says little
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -35,7 +37,7 @@ Progress::~Progress() {
     if (bar_drawn_) put("\r\x1b[K");
 }
 
-void Progress::report(double share) {
+void Progress::report(double share, std::optional<double> left_s) {
     if (silent_) return;
     const std::lock_guard lock(mutex_);
     const double now = now_s(), elapsed_s = now - begin_s_;
@@ -44,17 +46,19 @@ void Progress::report(double share) {
     if (now - shown_s_ < every_s || elapsed_s < kSilentAtFirst_s) return;
     shown_s_ = now;
     share = std::clamp(share, 0.0, 1.0);
+    if (!left_s && share > kLeastShare) left_s = elapsed_s * (1 - share) / share;
+    const bool told = left_s && std::isfinite(*left_s);
+    const std::string left = told ? fmt::format(", {:.0f} s left", *left_s) : std::string();
     if (style_ == ProgressStyle::kJson)
-        put(fmt::format("{{\"progress\":{:.4f},\"work\":\"{}\",\"seconds\":{:.1f}}}\n", share, what_, elapsed_s));
+        put(fmt::format("{{\"progress\":{:.4f},\"work\":\"{}\",\"seconds\":{:.1f},\"left\":{}}}\n", share, what_, elapsed_s, told ? fmt::format("{:.1f}", *left_s) : "null"));
     else if (bar)
-        draw_bar(share, elapsed_s);
+        draw_bar(share, left);
     else
-        put(fmt::format("{}: {:.0f} % after {:.0f} s\n", what_, share * 100, elapsed_s));
+        put(fmt::format("{}: {:.0f} % after {:.0f} s{}\n", what_, share * 100, elapsed_s, left));
 }
 
-void Progress::draw_bar(double share, double elapsed_s) {
+void Progress::draw_bar(double share, const std::string& left) {
     const int filled = static_cast<int>(share * kBarWidth);
-    const std::string left = share > 0.02 ? fmt::format(", {:.0f} s left", elapsed_s * (1 - share) / share) : std::string();
     put(fmt::format("\r{} [{}{}] {:3.0f} %{}\x1b[K", what_, std::string(static_cast<std::size_t>(filled), '#'),
                     std::string(static_cast<std::size_t>(kBarWidth - filled), '.'), share * 100, left));
     bar_drawn_ = true;

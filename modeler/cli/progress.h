@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "modeler/cli/request.h"
@@ -16,11 +17,11 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // Share done, 0..1. From any thread.
-    void report(double share);
+    // Share done, 0..1, and the time left where the worker knows it better than by the share. From any thread.
+    void report(double share, std::optional<double> left_s = {});
 
 private:
-    void draw_bar(double share, double elapsed_s);
+    void draw_bar(double share, const std::string& left);
 
     std::mutex mutex_;
     std::string what_;

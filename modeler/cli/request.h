@@ -50,6 +50,7 @@ struct RenderRequest {
     PictureOptions picture;     // --exposure, --tonemap, channel type of an EXR
     std::vector<std::array<double, 4>> clips;  // n.p <= d is kept
     bool watch = false;
+    bool resume = false;        // go on from the checkpoint
 };
 
 struct MeshRequest {

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "modeler/cli/answers.h"
+#include "modeler/cli/checkpoint.h"
 #include "modeler/cli/job_render.h"
 #include "modeler/cli/progress.h"
 #include "modeler/cli/verbs.h"
@@ -49,16 +50,39 @@ void count(Stats& stats, const RenderCounters& counters) {
     stats.add(counters.engine);
 }
 
-Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program) {
+// The film to go on from, where --resume asks for one and it is there.
+Result<std::optional<Film>> film_so_far(Session& session, const Checkpoint& checkpoint) {
+    if (!session.request.render.resume) return std::nullopt;
+    auto film = checkpoint.read();
+    if (film && !*film) session.console.line(fmt::format("{} is not there: nothing to resume, drawn from the beginning", checkpoint.path()));
+    return film;
+}
+
+Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program, const Checkpoint* checkpoint) {
     const Scene& read = scene.evaluated.scene;
     const RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera, &scene.canonical.solid};
+    Result<std::optional<Film>> before = checkpoint ? film_so_far(session, *checkpoint) : std::nullopt;
+    if (!before) return tl::unexpected<Error>(before.error());
     Progress progress("Rendering", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
     RenderControl control;
-    control.progress = [&progress](const RenderProgress& now) { progress.report(now.done); };
+    control.progress = [&progress](const RenderProgress& now) { progress.report(now.done, now.left_s); };
+    // A checkpoint in the middle is a convenience: that it cannot be written is told at the end.
+    if (checkpoint) control.keep = [checkpoint](const Film& film) { static_cast<void>(checkpoint->write(film)); };
     session.watchdog.when_interrupted([&control] { control.stop = true; });
-    auto result = render(program, stage, session.request.render.options, control);
+    auto result = render(program, stage, session.request.render.options, control, *before ? &**before : nullptr);
     session.watchdog.when_interrupted({});
     return result;
+}
+
+// After a rendering that ended early the checkpoint stays, after a whole one there is none.
+Result<void> settle(Session& session, const Checkpoint& checkpoint, const RenderResult& drawn) {
+    if (drawn.complete || checkpoint.path().empty()) {
+        checkpoint.remove();
+        return {};
+    }
+    if (auto written = checkpoint.write(drawn.film); !written) return written;
+    session.console.line(fmt::format("Stopped after {} samples; --resume goes on from {}", drawn.samples_finished, checkpoint.path()));
+    return {};
 }
 
 Result<void> write_picture(Session& session, ImageFiles& files, const RenderResult& drawn, const Output& output) {
@@ -91,7 +115,9 @@ Exit render_once(Session& session, const std::vector<Output>& outputs, Preview p
         if (output.format != ImageFormat::kPng) files.start_loading();
     const auto program = compile_scene(session, scene->canonical.solid);
     if (!program) return give_up(session, program.error());
-    const auto drawn = draw(session, *scene, *program);
+    const Checkpoint checkpoint(session, *scene, outputs.front().path);
+    const bool kept = !session.request.render.watch;
+    const auto drawn = draw(session, *scene, *program, kept ? &checkpoint : nullptr);
     if (!drawn) return give_up(session, drawn.error());
     for (const auto& warning : drawn->warnings) session.console.warning(warning);
     count(session.stats, drawn->counters);
@@ -100,6 +126,8 @@ Exit render_once(Session& session, const std::vector<Output>& outputs, Preview p
         if (auto written = write_picture(session, files, *drawn, output); !written) return give_up(session, written.error());
     session.stats.set("loaded.image", files.loaded() ? 1 : 0);
     answer(session, outputs, *drawn);
+    if (kept)
+        if (auto settled = settle(session, checkpoint, *drawn); !settled) return give_up(session, settled.error());
     return session.watchdog.interrupted() ? Exit::kInterrupted : scene->verdict;
 }
 

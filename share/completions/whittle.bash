@@ -6,6 +6,7 @@ _whittle() {
         --diagnostics) COMPREPLY=($(compgen -W "text json" -- "$current")); return ;;
         --curves) COMPREPLY=($(compgen -W "auto exact faceted" -- "$current")); return ;;
         --projection) COMPREPLY=($(compgen -W "p o" -- "$current")); return ;;
+        --filter) COMPREPLY=($(compgen -W "box gaussian mitchell" -- "$current")); return ;;
         --tonemap) COMPREPLY=($(compgen -W "srgb filmic linear" -- "$current")); return ;;
         --exr) COMPREPLY=($(compgen -W "half float" -- "$current")); return ;;
         --integrator) COMPREPLY=($(compgen -W "auto preview whitted distributed path caustics cone" -- "$current")); return ;;
@@ -19,7 +20,7 @@ _whittle() {
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
                 --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
-                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard -o" ;;
+                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --binary
@@ -41,7 +42,7 @@ _whittle() {
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
                 --render --preview --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
-                --watch --tile --shard --tolerance --angle --binary --ascii --report -o" ;;
+                --watch --tile --shard --filter --resume --tolerance --angle --binary --ascii --report -o" ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$current"))

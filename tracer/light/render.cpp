@@ -23,6 +23,9 @@ namespace {
 constexpr int kTileSize = 16;
 constexpr double kSecondsBetweenReports = 0.1;
 
+// After so many tiles the threads wait for each other, so that the film can be kept as it is.
+constexpr std::size_t kTilesBetweenLooks = 512;
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -50,6 +53,7 @@ public:
     Rendering(const Stage& stage, RenderControl& control, Film film)
         : stage_(stage), control_(control), film_(std::move(film)), tiles_(tiles_of(stage.options)), done_(tiles_.size(), 0) {
         for (std::size_t i = 0; i < tiles_.size(); ++i) done_[i] = static_cast<int>(film_.pixels[film_.index(tiles_[i].x, tiles_[i].y)].samples);
+        counted_ = done_;
         for (int n : done_) samples_before_ += n;
     }
 
@@ -57,36 +61,49 @@ public:
         const int samples = stage_.options.samples;
         bool first = true;
         for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < 4 ? goal + 1 : goal + goal / 2)) {
-            if (!first && stopped()) break;
             pass(goal, first);
-            if (control_.abort) break;
             first = false;
-            if (goal == samples) break;
-            if (stage_.options.stop_after_s > 0 && seconds_since(start_) > stage_.options.stop_after_s) break;
+            if (goal >= samples || stopped()) break;
         }
         return finished();
     }
 
 private:
-    bool stopped() const { return control_.stop || control_.abort; }
+    bool stopped() const {
+        return control_.stop || control_.abort || (stage_.options.stop_after_s > 0 && seconds_since(start_) > stage_.options.stop_after_s);
+    }
 
     // Brings every tile that still needs it to `goal` samples. The first pass goes on when asked to stop: a picture is whole or nothing.
     void pass(int goal, bool first) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.size(), 1), [&](const tbb::blocked_range<std::size_t>& range) {
-            Worker& worker = workers_.local();
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                if (control_.abort || (!first && control_.stop)) return;
-                draw(i, goal, worker);
-            }
-        });
+        const std::size_t together = control_.keep ? kTilesBetweenLooks : tiles_.size();
+        for (std::size_t begin = 0; begin < tiles_.size(); begin += together) {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, std::min(begin + together, tiles_.size()), 1), [&](const tbb::blocked_range<std::size_t>& range) {
+                Worker& worker = workers_.local();
+                for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    if (control_.abort || (!first && stopped())) return;
+                    draw(i, goal, worker);
+                }
+            });
+            keep();
+        }
+    }
+
+    void keep() {
+        const double now = seconds_since(start_);
+        if (!control_.keep || now - kept_at_ < control_.keep_every_s) return;
+        kept_at_ = now;
+        control_.keep(film_);
     }
 
     void draw(std::size_t i, int goal, Worker& worker) {
         const int from = done_[i];
-        if (from >= goal || calm(i)) return;
-        if (!render_tile(stage_, tiles_[i], from, goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
-        done_[i] = goal;
-        samples_drawn_ += goal - from;
+        if (from < goal && !calm(i)) {
+            if (!render_tile(stage_, tiles_[i], from, goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
+            done_[i] = goal;
+        }
+        if (goal <= counted_[i]) return;
+        samples_counted_ += goal - counted_[i];
+        counted_[i] = goal;
         report();
     }
 
@@ -103,7 +120,14 @@ private:
         if (!lock || now - reported_at_ < kSecondsBetweenReports) return;
         reported_at_ = now;
         const double all = static_cast<double>(tiles_.size()) * stage_.options.samples;
-        control_.progress({static_cast<double>(samples_before_ + samples_drawn_) / all, now, 0});
+        const double counted = static_cast<double>(samples_counted_), before = static_cast<double>(samples_before_);
+        control_.progress({(before + counted) / all, now, now * (all - before - counted) / counted});
+    }
+
+    bool complete() const {
+        for (std::size_t i = 0; i < tiles_.size(); ++i)
+            if (done_[i] < stage_.options.samples && !calm(i)) return false;
+        return true;
     }
 
     RenderResult finished() {
@@ -116,13 +140,14 @@ private:
         if (std::vector<float>& plane = film_.planes[static_cast<std::size_t>(Aov::kVariance)]; !plane.empty())
             for (std::size_t i = 0; i < film_.pixels.size(); ++i) plane[i] = static_cast<float>(film_.variance(i));
         r.samples_finished = tiles_.empty() ? 0 : *std::min_element(done_.begin(), done_.end());
-        r.interrupted = stopped();
+        r.interrupted = control_.stop || control_.abort;
+        r.complete = complete();
         r.film = std::move(film_);
         r.exposure = stage_.lens.exposure;
         r.integrator = stage_.integrator;
         r.warnings = stage_.warnings;
         r.seconds = seconds_since(start_);
-        if (control_.progress) control_.progress({1, r.seconds, r.samples_finished});
+        if (control_.progress) control_.progress({1, r.seconds, 0});
         return r;
     }
 
@@ -130,13 +155,14 @@ private:
     RenderControl& control_;
     Film film_;
     std::vector<TileRegion> tiles_;
-    std::vector<int> done_;  // samples a tile has
+    std::vector<int> done_;     // samples a tile has
+    std::vector<int> counted_;  // those and what it was spared, for the progress
     tbb::enumerable_thread_specific<Worker> workers_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::int64_t samples_before_ = 0;
-    std::atomic<std::int64_t> samples_drawn_{0};
+    std::atomic<std::int64_t> samples_counted_{0};
     std::mutex report_mutex_;
-    double reported_at_ = 0;
+    double reported_at_ = 0, kept_at_ = 0;
 };
 
 void count_skips(const Stage& stage, RenderCounters& c) {

@@ -50,7 +50,7 @@ struct RenderOptions {
     std::optional<TileRegion> region;    // --tile
     Shard shard;
     double noise = 0;                    // stop a tile when its estimated error (of display luminance) is below; 0: never
-    double stop_after_s = 0;             // stop after the pass that passes this time; 0: never
+    double stop_after_s = 0;             // stop after this time, but never within the first pass; 0: never
     int threads = 0;                     // 0: all cores
     std::vector<std::string> disabled_passes;
 };
@@ -65,17 +65,19 @@ struct RenderScene {
 };
 
 struct RenderProgress {
-    double done = 0;  // 0..1 of all samples asked for
+    double done = 0;  // 0..1 of all samples asked for, those of a resumed film and those that --noise spares among them
     double elapsed_s = 0;
-    int samples_finished = 0;
+    double left_s = 0;  // at the speed so far; infinite where nothing is drawn yet
 };
 
 // Handed in by the caller, read and called by render(). `stop`: finish the first pass, then return what there is. `abort`: return at once.
-// `progress` is called from one thread at a time, about ten times a second.
+// `progress` is called from one thread at a time, about ten times a second; `keep` now and then while no thread draws, with what there is so far.
 struct RenderControl {
     std::atomic<bool> stop{false};
     std::atomic<bool> abort{false};
     std::function<void(const RenderProgress&)> progress;
+    std::function<void(const Film&)> keep;
+    double keep_every_s = 60;
 };
 
 // Names follow docs/command-line (--stats).
@@ -93,6 +95,7 @@ struct RenderResult {
     Integrator integrator = Integrator::kPreview;  // the one used
     int samples_finished = 0;                      // of every pixel
     bool interrupted = false;
+    bool complete = false;                         // every tile has its samples, or is good enough
     double seconds = 0;
     RenderCounters counters;
     std::vector<std::string> warnings;

@@ -152,6 +152,6 @@ TEST_CASE("an interrupted command writes nothing; an interrupted rendering write
     const std::string scene = folder.file("a.scad", "difference() { cube(10); sphere(9); }\n");
     const Outcome picture = run_whittle({"render", scene, "-o", folder.name("a.png"), "--samples", "100000", "--imgsize", "200,200"}, {"", "", 1.5, ""});
     CHECK(picture.code == 130);
-    CHECK(folder.names() == std::vector<std::string>{"a.png", "a.scad", "busy.scad"});
+    CHECK(folder.names() == std::vector<std::string>{"a.png", "a.png.part", "a.scad", "busy.scad"});
     CHECK(folder.read("a.png").substr(1, 3) == "PNG");
 }

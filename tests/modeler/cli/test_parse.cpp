@@ -93,7 +93,7 @@ TEST_CASE("a picture's options reach the renderer") {
     const Request request =
         read({"render", "a.scad", "--imgsize", "640,480", "--camera", "-1,2,3,-.5,0,1", "--viewall", "--projection", "o", "--samples", "4", "--light-samples", "2",
               "--noise", "0.01", "--stop-after", "3", "--integrator", "whitted", "--max-depth", "5", "--aov", "depth,normal", "--clip", "0,0,1,2", "--clip", "1,0,0,3",
-              "--exposure", "-1", "--tonemap", "filmic", "--tile", "0,0,32,16", "--shard", "2/3", "--edges", "--seed", "7", "--threads", "1"});
+              "--exposure", "-1", "--tonemap", "filmic", "--tile", "0,0,32,16", "--shard", "2/3", "--edges", "--seed", "7", "--threads", "1", "--filter", "mitchell", "--resume"});
     const RenderRequest& render = request.render;
     CHECK(render.options.width == 640);
     CHECK(render.options.height == 480);
@@ -115,6 +115,8 @@ TEST_CASE("a picture's options reach the renderer") {
     CHECK(render.options.shard.index == 1);
     CHECK(render.options.shard.count == 3);
     CHECK(render.options.edges);
+    CHECK(render.options.filter == FilterKind::kMitchell);
+    CHECK(render.resume);
     CHECK(render.options.seed == 7);
     CHECK(render.options.threads == 1);
 }
@@ -164,7 +166,6 @@ TEST_CASE("words that belong to nothing are refused, near misses with a suggesti
 TEST_CASE("what is named in the documents and not there yet is refused, never passed over") {
     CHECK(refusal({"mesh", "a.scad", "--remesh", "1"}) == "--remesh is not supported yet");
     CHECK(refusal({"mesh", "a.scad", "--simplify", "1"}) == "--simplify is not supported yet");
-    CHECK(refusal({"render", "a.scad", "--resume"}) == "--resume is not supported yet");
     CHECK(refusal({"check", "a.scad", "--suite"}) == "--suite is not supported yet");
     CHECK(refusal({"-o", "a.png", "--animate", "5", "a.scad"}) == "--animate is not supported yet");
     CHECK(contains(refusal({"view", "a.scad"}), "render --watch"));
