@@ -67,5 +67,5 @@ module light(p, color, power, r) {}
 module sun(direction, color, irradiance, angle) {}
 module area_light(p, u, v, color, power) {}
 module environment(color, intensity, rotate, file) {}
-module camera(eye, target, up, fov, aperture, focus, projection, exposure) {}
+module camera(eye, target, up, fov, aperture, focus, projection, exposure, blades) {}
 module moving(translate, rotate, scale) children();

@@ -145,6 +145,9 @@ Made make_camera(ModuleUse& use) {
         if (!camera.orthographic && p != "p" && p != "perspective") complain(use, "camera(projection)", use[6], "\"perspective\" or \"orthographic\"");
     }
     camera.exposure = number(use, use[7], "camera(exposure)").value_or(0);
+    const double blades = number(use, use[8], "camera(blades)").value_or(0);
+    constexpr double kMostBlades = 1000;
+    camera.blades = blades >= 3 ? static_cast<int>(std::min(blades, kMostBlades)) : 0;
     camera.place = use.place;
     use.machine.set_camera(camera);
     return std::nullopt;

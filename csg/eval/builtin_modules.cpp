@@ -126,8 +126,8 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"sun", "direction color irradiance angle", "", false, make_sun, "sun(direction, color, irradiance, angle)"},
     {"area_light", "p u v color power", "", false, make_area_light, "area_light(p, u, v, color, power)"},
     {"environment", "color intensity rotate", "file", false, make_environment, "environment(color or file, intensity, rotate)"},
-    {"camera", "eye target up fov aperture focus projection exposure", "", false, make_camera,
-     "camera(eye, target, up, fov, aperture, focus, projection, exposure)"},
+    {"camera", "eye target up fov aperture focus projection exposure blades", "", false, make_camera,
+     "camera(eye, target, up, fov, aperture, focus, projection, exposure, blades)"},
 });
 
 }  // namespace

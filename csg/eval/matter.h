@@ -57,11 +57,12 @@ struct Light {
     SourcePlace place;
 };
 
-// `fov_deg` vertical; `aperture` a diameter in mm (0: pinhole); unset focus: |target - eye|; exposure in stops.
+// `fov_deg` vertical; `aperture` a diameter in mm (0: pinhole), a polygon of `blades` corners where these are 3 or more; unset focus: |target - eye|; exposure in stops.
 struct Camera {
     Vec3 eye{0}, target{0}, up{0, 0, 1};
     double fov_deg = 22.5;
     double aperture = 0;
+    int blades = 0;
     std::optional<double> focus;
     bool orthographic = false;
     double exposure = 0;

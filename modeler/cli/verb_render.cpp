@@ -47,7 +47,22 @@ void count(Stats& stats, const RenderCounters& counters) {
     add("skip.shadows", counters.skipped_shadows);
     add("skip.media", counters.skipped_media);
     add("skip.lens", counters.skipped_lens);
+    add("skip.shutter", counters.skipped_shutter);
+    add("skip.spectrum", counters.skipped_spectrum);
+    add("skip.photons", counters.skipped_photons);
     stats.add(counters.engine);
+}
+
+// A picture that the scene names, from beside the text that names it.
+Result<Image> read_picture(Session& session, const ReadScene& scene, ImageFiles& files, const std::string& name, const SourcePlace& place) {
+    const SourceTable& sources = scene.evaluated.sources;
+    const std::filesystem::path text = place.file < sources.files.size() ? sources.files[place.file].path : std::string();
+    auto image = files.read(text.parent_path() / name);
+    if (image) return image;
+    Diagnostics told;
+    told.add(Severity::kError, place, fmt::format("Can't read the environment '{}': {}", name, image.error().message));
+    session.console.tell(told, sources);
+    return fail(image.error().fault, "");
 }
 
 // The film to go on from, where --resume asks for one and it is there.
@@ -58,9 +73,10 @@ Result<std::optional<Film>> film_so_far(Session& session, const Checkpoint& chec
     return film;
 }
 
-Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program, const Checkpoint* checkpoint) {
+Result<RenderResult> draw(Session& session, const ReadScene& scene, const std::shared_ptr<const Program>& program, ImageFiles& files, const Checkpoint* checkpoint) {
     const Scene& read = scene.evaluated.scene;
-    const RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera, &scene.canonical.solid};
+    RenderScene stage{read.lights, read.camera, read.view, session.request.render.camera, &scene.canonical.solid, {}};
+    stage.read_picture = [&](const std::string& name, const SourcePlace& place) { return read_picture(session, scene, files, name, place); };
     Result<std::optional<Film>> before = checkpoint ? film_so_far(session, *checkpoint) : std::nullopt;
     if (!before) return tl::unexpected<Error>(before.error());
     Progress progress("Rendering", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
@@ -95,12 +111,17 @@ Result<void> write_picture(Session& session, ImageFiles& files, const RenderResu
     return write_output(output.path, *bytes);
 }
 
+std::string integrator_and_reason(const RenderResult& drawn) {
+    return drawn.reason.empty() ? std::string(integrator_name(drawn.integrator)) : fmt::format("{} ({})", integrator_name(drawn.integrator), drawn.reason);
+}
+
 void answer(Session& session, const std::vector<Output>& outputs, const RenderResult& drawn) {
     for (const auto& output : outputs) {
         if (session.request.common.json)
-            fmt::print("{}\n", json::Object().string("file", output.path).number("seconds", drawn.seconds).strings("warnings", session.console.warnings()).str());
+            fmt::print("{}\n", json::Object().string("file", output.path).string("integrator", std::string(integrator_name(drawn.integrator))).number("seconds", drawn.seconds).strings("warnings", session.console.warnings()).str());
         else if (output.path != "-")
-            session.console.line(fmt::format("{}: {} x {}, {} samples, {:.2f} s", output.path, drawn.film.width, drawn.film.height, drawn.samples_finished, drawn.seconds));
+            session.console.line(fmt::format("{}: {} x {}, {} samples, {}, {:.2f} s", output.path, drawn.film.width, drawn.film.height, drawn.samples_finished,
+                                             integrator_and_reason(drawn), drawn.seconds));
     }
 }
 
@@ -117,7 +138,7 @@ Exit render_once(Session& session, const std::vector<Output>& outputs, Preview p
     if (!program) return give_up(session, program.error());
     const Checkpoint checkpoint(session, *scene, outputs.front().path);
     const bool kept = !session.request.render.watch;
-    const auto drawn = draw(session, *scene, *program, kept ? &checkpoint : nullptr);
+    const auto drawn = draw(session, *scene, *program, files, kept ? &checkpoint : nullptr);
     if (!drawn) return give_up(session, drawn.error());
     for (const auto& warning : drawn->warnings) session.console.warning(warning);
     count(session.stats, drawn->counters);

@@ -13,15 +13,33 @@ constexpr double kLeastCosine = 1e-9;
 
 Bsdf::Bsdf(const Surface& s, Vec3 normal, Vec3 view)
     : surface_(s), normal_(normal), view_(view), cos_view_(std::max(kLeastCosine, glm::dot(normal, view))) {
-    diffuse_ = s.color * ((1 - s.metal) * (1 - coat(cos_view_)));
+    under_coat_ = s.color * ((1 - s.metal) * (1 - (s.energy ? s.energy->coat(cos_view_) : coat(cos_view_))));
     gloss_ = !s.sharp() && (s.dielectric_f0 > 0 || s.metal > 0);
     if (!gloss_) return;
-    const double gloss = luminance(mirror_share(cos_view_)), diffuse = luminance(diffuse_);
-    gloss_share_ = gloss + diffuse > 0 ? std::clamp(gloss / (gloss + diffuse), diffuse > 0 ? 0.1 : 1.0, 1.0) : 1;
+    if (s.metal > 0 && s.energy) {
+        const double mean = s.energy->mirror_mean();
+        const Vec3 tint = s.metal_mean * s.metal_mean * mean / (Vec3(1) - s.metal_mean * (1 - mean));
+        among_facets_ = tint * (s.metal * (1 - s.energy->mirror(cos_view_)));
+    }
+    const double gloss = luminance(mirror_share(cos_view_)), dull = luminance(dull_albedo());
+    gloss_share_ = gloss + dull > 0 ? std::clamp(gloss / (gloss + dull), dull > 0 ? 0.1 : 1.0, 1.0) : 1;
+}
+
+Vec3 Bsdf::mirror_share(double cosine) const {
+    if (!(surface_.metal > 0)) return Vec3(coat(cosine));
+    return glm::mix(Vec3(coat(cosine)), metal_reflectance(surface_, cosine), surface_.metal);
+}
+
+Vec3 Bsdf::dull_value(double cos_light) const {
+    if (!surface_.energy) return under_coat_ / kPi;
+    const GlossEnergy& e = *surface_.energy;
+    Vec3 sum = under_coat_ * ((1 - e.coat(cos_light)) / (1 - e.coat_mean()));
+    if (e.mirror_mean() < 1) sum += among_facets_ * ((1 - e.mirror(cos_light)) / (1 - e.mirror_mean()));
+    return sum / kPi;
 }
 
 Vec3 Bsdf::value(Vec3 direction, double cos_light) const {
-    const Vec3 dull = diffuse_ / kPi;
+    const Vec3 dull = dull_value(cos_light);
     if (!gloss_) return dull;
     const Vec3 half = glm::normalize(direction + view_);
     const double density = ggx_density(glm::dot(normal_, half), surface_.alpha);

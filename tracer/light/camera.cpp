@@ -141,6 +141,7 @@ Result<Lens> resolve_camera(const CameraSpec& spec, const std::optional<Camera>&
     if (!from_scene) return lens;
     lens.exposure = scene->exposure;
     lens.aperture = std::max(0.0, scene->aperture);
+    lens.blades = scene->blades;
     lens.focus = scene->focus.value_or(lens.target_distance);
     return lens;
 }
@@ -157,16 +158,62 @@ Ray camera_ray(const Lens& lens, double x, double y) {
     return ray;
 }
 
+namespace {
+
+Sleef_double_2 sine_cosine_of_turns(double turns) { return Sleef_cinz_sincospid1_u05purec(2 * turns); }
+
+// A point of the aperture, equal areas, in the lens's plane. A polygon stands on a side.
+Vec2 on_aperture(const Lens& lens, Vec2 u) {
+    const double radius = lens.aperture / 2;
+    if (lens.blades < 3) {
+        const Sleef_double_2 turn = sine_cosine_of_turns(u.y);
+        return radius * std::sqrt(u.x) * Vec2(turn.y, turn.x);
+    }
+    const double scaled = u.y * lens.blades, side = std::floor(scaled), across = scaled - side, out = std::sqrt(u.x);
+    const auto corner = [&](double k) {
+        const Sleef_double_2 turn = sine_cosine_of_turns((k - 0.5) / lens.blades - 0.25);
+        return Vec2(turn.y, turn.x);
+    };
+    return radius * out * glm::mix(corner(side), corner(side + 1), across);
+}
+
+Vec3 in_world(const Lens& lens, Vec2 v) { return v.x * lens.right + v.y * lens.up; }
+
+}  // namespace
+
 Ray camera_ray(const Lens& lens, double x, double y, Vec2 u) {
     Ray ray = camera_ray(lens, x, y);
     if (lens.aperture <= 0) return ray;
-    const double radius = lens.aperture / 2 * std::sqrt(u.x);
-    const Sleef_double_2 turn = Sleef_cinz_sincospid1_u05purec(2 * u.y);
-    const Vec3 offset = radius * (turn.y * lens.right + turn.x * lens.up);
     const Vec3 sharp = ray.origin + ray.direction * (lens.focus / glm::dot(ray.direction, lens.forward));
-    ray.origin += offset;
+    ray.origin += in_world(lens, on_aperture(lens, u));
     ray.direction = glm::normalize(sharp - ray.origin);
     return ray;
+}
+
+std::optional<Sighting> sighting(const Lens& lens, Vec3 point, Vec2 u) {
+    const Vec2 offset = lens.aperture > 0 ? on_aperture(lens, u) : Vec2(0);
+    const Vec3 from_eye = point - lens.eye;
+    const double ahead = glm::dot(from_eye, lens.forward);
+    if (!(ahead > 0)) return std::nullopt;
+    // The ray from the lens through the point meets the plane of focus where the pinhole ray of its place in the picture does.
+    const Vec2 across{glm::dot(from_eye, lens.right), glm::dot(from_eye, lens.up)};
+    Sighting s;
+    if (lens.orthographic) {
+        // All rays through this place of the lens are parallel.
+        const Vec2 place = lens.aperture > 0 ? across - offset * (1 - ahead / lens.focus) : across;
+        s.eye = lens.eye + in_world(lens, place + offset);
+        s.x = place.x / lens.half_height, s.y = place.y / lens.half_height;
+        const double cosine = glm::dot(glm::normalize(point - s.eye), lens.forward);
+        s.radiance_per_intensity = 1 / (cosine * lens.half_height * lens.half_height);
+        return s;
+    }
+    s.eye = lens.eye + in_world(lens, offset);
+    const Vec2 sharp = lens.aperture > 0 ? offset / lens.focus + (across - offset) / ahead : across / ahead;
+    s.x = sharp.x / lens.half_height, s.y = sharp.y / lens.half_height;
+    const Vec3 to = point - s.eye;
+    const double d2 = glm::dot(to, to), cosine = ahead / std::sqrt(d2);
+    s.radiance_per_intensity = 1 / (d2 * cosine * cosine * cosine * lens.half_height * lens.half_height);
+    return s;
 }
 
 }  // namespace whittle

@@ -25,7 +25,8 @@ struct Lens {
     Vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
     bool orthographic = false;
     double half_height = 0.2;  // at distance 1 in perspective, else in mm
-    double aperture = 0;       // diameter in mm
+    double aperture = 0;       // diameter in mm; of a polygon, of the circle around it
+    int blades = 0;            // corners of the aperture; 0: a disc
     double focus = 1;          // distance in mm
     double exposure = 0;       // stops
     double target_distance = 1;
@@ -40,5 +41,15 @@ Result<Lens> resolve_camera(const CameraSpec& spec, const std::optional<Camera>&
 Ray camera_ray(const Lens& lens, double x, double y);
 // The same for the place `u` in [0,1)^2 of a thin lens: it meets the pinhole ray in the plane of focus.
 Ray camera_ray(const Lens& lens, double x, double y, Vec2 u);
+
+// A point as the place `u` of the lens sees it: where it stands in the picture (as in camera_ray), and how much radiance of one unit of that plane, over
+// cosine at the surface, is one unit of flux that leaves the point per solid angle.
+struct Sighting {
+    Vec3 eye{0};
+    double x = 0, y = 0;
+    double radiance_per_intensity = 0;
+};
+// Nothing behind the eye. An orthographic eye stands in the plane of the camera.
+std::optional<Sighting> sighting(const Lens& lens, Vec3 point, Vec2 u);
 
 }  // namespace whittle

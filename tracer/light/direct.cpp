@@ -1,5 +1,8 @@
 #include "tracer/light/direct.h"
 
+#include <cmath>
+
+#include "tracer/engine/cone.h"
 
 namespace whittle {
 
@@ -25,14 +28,14 @@ Vec3 absorbed(Vec3 per_mm, double length) {
 Vec3 absorbed_before(const Border& border) { return border.before ? absorbed(border.before->absorption, border.travelled) : Vec3(1); }
 
 int DirectLight::parts_of(const LightSource& lamp) const {
-    return lamp.extended() && stage_.integrator >= Integrator::kDistributed ? stage_.options.light_samples : 1;
+    return lamp.extended() && stage_.distributes() ? stage_.options.light_samples : 1;
 }
 
 LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const {
     const LightSource& lamp = stage_.lights[number];
     // A single sample of an area stands in its middle.
     Vec2 u = lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0);
-    if (lamp.extended() && stage_.options.samples * parts > 1) {
+    if (lamp.extended() && stage_.options.samples * parts > 1 && stage_.integrator != Integrator::kCone) {
         const std::uint32_t place = static_cast<std::uint32_t>(bounce) % kBouncesApart + kBouncesApart * static_cast<std::uint32_t>(number);
         u = sampler.pair(Draw::kLight, place, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts));
     }
@@ -48,9 +51,11 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
     if (!stage_.needs.see_through) return stage_.world.blocked(ray, &border.leaving, distance, scratch_) ? Vec3(0) : Vec3(1);
     Vec3 share(1);
     Leaving leaving = border.leaving;
+    const Surface* within = border.before;
     for (int i = 0; i < kMostBorders; ++i) {
         Border next;
-        if (!stage_.world.next(ray, &leaving, distance, scratch_, next)) return share;
+        if (!stage_.world.next(ray, &leaving, distance, scratch_, next)) return within && std::isfinite(distance) ? share * absorbed(within->absorption, distance) : share;
+        within = next.after;
         const Surface& s = *next.surface;
         const double open = clear == ClearShadows::kLetThrough ? s.transmission * (1 - fresnel_dielectric(-glm::dot(next.normal, direction), next.eta())) : 0;
         share *= absorbed_before(next) * glm::mix(Vec3(1), open * s.color, s.coverage);
@@ -60,6 +65,26 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
         leaving = next.leaving;
     }
     return Vec3(0);
+}
+
+Vec3 DirectLight::cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample) const {
+    // The disc of the same solid angle around the middle.
+    const double angle = lamp.kind == LightKind::kParallelogram ? lamp.area * std::abs(glm::dot(lamp.normal, sample.direction)) / (sample.distance * sample.distance)
+                                                                : 1 / sample.density;
+    const double cosine = std::max(0.0, 1 - angle / (2 * kPi));
+    Cone cone;
+    cone.axis.origin = border.point;
+    cone.axis.direction = sample.direction;
+    cone.axis.departure = stage_.world.divided() ? nullptr : &border.leaving.events[0];
+    // Lamps that fill the sky are cut down to a wide cone.
+    constexpr double kLeastCosine = 0.1;
+    cone.spread = std::sqrt(1 - cosine * cosine) / std::max(kLeastCosine, cosine);
+    const ConeSplit split = split_cone(*stage_.program, cone, sample.distance);
+    const auto open = [&](Vec3 off) {
+        return transmittance(border, glm::normalize(sample.direction + cone.spread * off), sample.distance, 0, ClearShadows::kLetThrough);
+    };
+    if (!split.divided()) return open(Vec3(0));
+    return split.share * open(split.here) + (1 - split.share) * open(split.there);
 }
 
 bool DirectLight::lamp_seen(const Ray& ray, double t_max, LightMet& met) const {

@@ -11,6 +11,7 @@ namespace whittle {
 struct CameraLight {
     Vec3 radiance{0};
     double coverage = 0;
+    Vec3 drawn{0};  // what rays from the lamps drew on the pixel; it has its filter weight already
 };
 
 // Share of light that is left after `length` mm.
@@ -32,6 +33,8 @@ public:
     int parts_of(const LightSource& lamp) const;
     // Share of light that comes to the border from `direction`, `distance` away: 0 or 1 among opaque matter.
     Vec3 transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const;
+    // The same from all of a lamp, whose middle is `sample`: an edge that crosses the cone to it hides one part.
+    Vec3 cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample) const;
     // Is a lamp nearer than t_max on the ray?
     bool lamp_seen(const Ray& ray, double t_max, LightMet& met) const;
 

@@ -32,6 +32,7 @@ public:
 
 private:
     const Stage& stage_;
+    RenderCounters& counters_;
     std::variant<Tracer, PathTracer> walker_;
 };
 

@@ -1,5 +1,6 @@
 #include "tracer/light/lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -79,17 +80,87 @@ LightSample from_sphere(const LightSource& light, Vec3 from, Vec2 u) {
     return s;
 }
 
-LightSample from_parallelogram(const LightSource& light, Vec3 from, Vec2 u) {
+LightSample at_point(const LightSource& light, Vec3 to, double density_of_area) {
     LightSample s;
-    const Vec3 to = light.p + u.x * light.u + u.y * light.v - from;
     const double d2 = squared(to);
     if (!(d2 > 0)) return s;
     s.distance = std::sqrt(d2);
     s.direction = to / s.distance;
     const double cosine = std::abs(glm::dot(s.direction, light.normal));
     if (!(cosine > 0)) return s;
-    s.density = d2 / (cosine * light.area);
+    s.density = density_of_area > 0 ? density_of_area : d2 / (cosine * light.area);
     s.radiance = light.emitted / s.density;
+    return s;
+}
+
+// A rectangle as seen from a point, on the unit sphere. `solid_angle` 0: it can't be sampled by that.
+class SphericalRectangle {
+public:
+    SphericalRectangle(const LightSource& light, Vec3 from) {
+        const double eu = std::sqrt(squared(light.u)), ev = std::sqrt(squared(light.v));
+        // Oblique by more than rounding: no rectangle.
+        constexpr double kSquare = 1e-12;
+        if (std::abs(glm::dot(light.u, light.v)) > kSquare * eu * ev) return;
+        x_ = light.u / eu;
+        y_ = light.v / ev;
+        z_ = glm::cross(x_, y_);
+        const Vec3 d = light.p - from;
+        z0_ = glm::dot(d, z_);
+        if (z0_ > 0) z_ = -z_, z0_ = -z0_;
+        x0_ = glm::dot(d, x_), y0_ = glm::dot(d, y_);
+        x1_ = x0_ + eu, y1_ = y0_ + ev;
+        if (!(z0_ < 0)) return;
+        const Vec3 n0 = edge_normal({x0_, y0_, z0_}, {x1_, y0_, z0_}), n1 = edge_normal({x1_, y0_, z0_}, {x1_, y1_, z0_});
+        const Vec3 n2 = edge_normal({x1_, y1_, z0_}, {x0_, y1_, z0_}), n3 = edge_normal({x0_, y1_, z0_}, {x0_, y0_, z0_});
+        b0_ = n0.z, b1_ = n2.z;
+        k_ = 2 * kPi - angle(n2, n3) - angle(n3, n0);
+        const double s = angle(n0, n1) + angle(n1, n2) - k_;
+        // The angles are sums of size pi: below this a hundred-thousandth of the solid angle is rounding.
+        constexpr double kLeast = 1e-9;
+        if (s > kLeast) solid_angle_ = s;
+    }
+    double solid_angle() const { return solid_angle_; }
+
+    // From the eye of the rectangle to a point on it.
+    Vec3 at(Vec2 u) const {
+        const double au = u.x * solid_angle_ + k_;
+        const Sleef_double_2 sc = Sleef_cinz_sincosd1_u10purec(au);
+        const double fu = (sc.y * b0_ - b1_) / sc.x;
+        const double cu = std::clamp(std::copysign(1 / std::sqrt(fu * fu + b0_ * b0_), fu), -1.0, 1.0);
+        const double xu = std::clamp(-cu * z0_ / std::sqrt(std::max(1e-300, 1 - cu * cu)), x0_, x1_);
+        const double d2 = xu * xu + z0_ * z0_;
+        const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_), h1 = y1_ / std::sqrt(d2 + y1_ * y1_), h = h0 + u.y * (h1 - h0);
+        const double yv = h * h < 1 ? std::clamp(h * std::sqrt(d2) / std::sqrt(1 - h * h), y0_, y1_) : y1_;
+        return xu * x_ + yv * y_ + z0_ * z_;
+    }
+
+private:
+    static Vec3 edge_normal(Vec3 a, Vec3 b) { return glm::normalize(glm::cross(a, b)); }
+    static double angle(Vec3 a, Vec3 b) { return Sleef_cinz_acosd1_u10purec(std::clamp(-glm::dot(a, b), -1.0, 1.0)); }
+
+    Vec3 x_{0}, y_{0}, z_{0};
+    double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
+    double b0_ = 0, b1_ = 0, k_ = 0, solid_angle_ = 0;
+};
+
+LightSample from_parallelogram(const LightSource& light, Vec3 from, Vec2 u) {
+    const SphericalRectangle seen(light, from);
+    if (seen.solid_angle() > 0) return at_point(light, seen.at(u), 1 / seen.solid_angle());
+    return at_point(light, light.p + u.x * light.u + u.y * light.v - from, 0);
+}
+
+double parallelogram_density(const LightSource& light, Vec3 from, Vec3 direction, double t) {
+    const SphericalRectangle seen(light, from);
+    return seen.solid_angle() > 0 ? 1 / seen.solid_angle() : t * t / (std::abs(glm::dot(direction, light.normal)) * light.area);
+}
+
+LightSample from_environment(const LightSource& light, Vec2 u) {
+    LightSample s;
+    const EnvironmentMap::Drawn drawn = light.map->draw(u);
+    s.direction = drawn.direction;
+    s.distance = kInfinity;
+    s.density = drawn.density;
+    if (s.density > 0) s.radiance = light.map->radiance(s.direction) / s.density;
     return s;
 }
 
@@ -106,6 +177,7 @@ LightSample sample_light(const LightSource& light, Vec3 from, Vec2 u) {
         case LightKind::kPoint: return towards(light.p - from, light.emitted);
         case LightKind::kSphere: return from_sphere(light, from, u);
         case LightKind::kParallelogram: return from_parallelogram(light, from, u);
+        case LightKind::kEnvironment: return from_environment(light, u);
         case LightKind::kSun: break;
     }
     LightSample s;
@@ -120,7 +192,7 @@ bool meet_lights(const std::vector<LightSource>& lights, Vec3 origin, Vec3 direc
     met.t = t_max;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const LightSource& light = lights[i];
-        if (!light.extended()) continue;
+        if (!light.extended() || light.kind == LightKind::kEnvironment) continue;
         if (light.kind == LightKind::kSun) {
             if (t_max < kInfinity || found || glm::dot(direction, light.p) < 1 - light.one_minus_cos) continue;
             met = {kInfinity, i, light.emitted * sun_radiance_factor(light), 1 / (2 * kPi * light.one_minus_cos)};
@@ -131,7 +203,7 @@ bool meet_lights(const std::vector<LightSource>& lights, Vec3 origin, Vec3 direc
         const double t = sphere ? meet_sphere(light.p, light.radius, origin, direction) : meet_parallelogram(light, origin, direction);
         if (!(t < met.t)) continue;
         const double density = sphere ? 1 / (2 * kPi * sphere_cap(light.radius, squared(light.p - origin)))
-                                      : t * t / (std::abs(glm::dot(direction, light.normal)) * light.area);
+                                      : parallelogram_density(light, origin, direction, t);
         met = {t, i, light.emitted, density};
         found = true;
     }

@@ -1,18 +1,22 @@
 // lights.h — lights resolved: what they send to a point, and where a ray meets them.
 //
 // A sample's `radiance` is divided by its density already: (scattering x cosine x radiance) summed over the samples and divided by their number
-// estimates the reflected light. Areas are sampled by solid angle where that has a closed form (sphere, sun), by area otherwise.
+// estimates the reflected light. Areas are sampled by solid angle where that has a closed form (sphere, sun, rectangle), by area otherwise (oblique
+// parallelograms, and rectangles so small or far that their solid angle is mostly rounding). Source: Urena, Fajardo, King, An Area-Preserving
+// Parametrization for Spherical Rectangles (2013).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "csg/base/vec.h"
 #include "csg/eval/matter.h"
+#include "tracer/light/environment.h"
 
 namespace whittle {
 
-enum class LightKind : std::uint8_t { kPoint, kSphere, kSun, kParallelogram };
+enum class LightKind : std::uint8_t { kPoint, kSphere, kSun, kParallelogram, kEnvironment };
 
 // `emitted`: radiant intensity of a point, irradiance of a sun, radiance of a sphere or parallelogram (which shines from both sides).
 struct LightSource {
@@ -24,8 +28,9 @@ struct LightSource {
     double one_minus_cos = 0;  // of the sun's disc; 0: a point
     double area = 0;
     Vec3 emitted{0};
+    std::shared_ptr<const EnvironmentMap> map;  // of an environment
 
-    bool extended() const { return kind == LightKind::kSphere || kind == LightKind::kParallelogram || one_minus_cos > 0; }
+    bool extended() const { return kind != LightKind::kPoint && (kind != LightKind::kSun || one_minus_cos > 0); }
 };
 
 struct LightSample {
@@ -38,7 +43,7 @@ struct LightSample {
 // `u` in [0,1)^2; unused by points. What a light at `from` itself would send (no distance) is zero.
 LightSample sample_light(const LightSource& light, Vec3 from, Vec2 u);
 
-// Radiance of the nearest light met before `t_max` by the ray, suns included when nothing limits it; false: none.
+// Radiance of the nearest light (environments aside) met before `t_max` by the ray, suns included when nothing limits it; false: none.
 struct LightMet {
     double t = 0;
     std::size_t light = 0;

@@ -3,23 +3,20 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <utility>
+#include <tuple>
 
 namespace whittle {
 
 namespace {
 
-// What decides where light goes inside: colour and the rest do not part a glass from itself.
+// What decides where light goes inside. What is opaque is of one kind as far as no clear matter begins in between: of equal priority the first in the
+// author's order wins, so it matters which of the clear ones a solid stands behind.
 struct Kind {
     Material material;
     bool clear;
+    std::size_t behind = 0;  // opaque: clear kinds that begin before it
     bool operator==(const Kind&) const = default;
 };
-
-Kind kind_of(const Material& material) {
-    if (is_clear(material)) return {material, true};
-    return {Material{}, false};
-}
 
 // Walks the solid with the materials of the path, the outermost first.
 class Divider {
@@ -33,31 +30,34 @@ public:
         copied_.clear();
         restricted_.clear();
         kind_ = kind;
+        clears_begun_ = 0;
         return builder_.finish(restricted(solid_.root(), Material{}));
     }
 
 private:
     Material inside(const Use& use, const Material& outer) const { return use.label == kNoLabel ? outer : nested(outer, solid_.label(use.label).material); }
 
-    std::size_t kind_number(const Material& material) {
-        const Kind kind = kind_of(material);
-        const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
-        if (found != kinds_.end()) return static_cast<std::size_t>(found - kinds_.begin());
-        kinds_.push_back(kind);
-        return kinds_.size() - 1;
+    // Of a leaf at this place of a walk in author's order, which counts the clear kinds it met.
+    Kind kind_here(const Material& material) {
+        if (!is_clear(material)) return {Material{}, false, clears_begun_};
+        const auto found = std::find(clears_.begin(), clears_.end(), material);
+        clears_begun_ = std::max(clears_begun_, static_cast<std::size_t>(found - clears_.begin()) + 1);
+        if (found == clears_.end()) clears_.push_back(material);
+        return {material, true};
     }
 
-    // Numbers the kinds in author's order; cutters have none.
+    // Lists the kinds in author's order; cutters have none. What was walked before brings no clear kind that is new.
     void collect(const Use& use, const Material& outer) {
         const Material material = inside(use, outer);
-        if (!visited_.insert({use.node, number_of(material)}).second) return;
+        if (!visited_.insert({use.node, number_of(material), clears_begun_}).second) return;
         if (const auto* combination = std::get_if<Combination>(&solid_.node(use.node))) {
             const std::size_t count = combination->op == SetOp::kDifference ? 1 : combination->operands.size();
             for (std::size_t i = 0; i < std::min(count, combination->operands.size()); ++i) collect(combination->operands[i], material);
             return;
         }
         if (const NodeId profile = profile_of(use.node)) return collect(Use{profile, kNoLabel, 0, {}}, material);
-        kind_number(material);
+        const Kind kind = kind_here(material);
+        if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     }
 
     // Distinct materials of paths, numbered.
@@ -115,17 +115,21 @@ private:
 
     // The node where its matter is of the wanted kind.
     NodeId restricted(NodeId id, const Material& material) {
-        const std::pair<NodeId, std::size_t> key{id, number_of(material)};
-        if (const auto found = restricted_.find(key); found != restricted_.end()) return found->second;
+        const Place key{id, number_of(material), clears_begun_};
+        if (const auto found = restricted_.find(key); found != restricted_.end()) {
+            clears_begun_ = found->second.clears_begun;
+            return found->second.node;
+        }
         NodeId result = kEmptyNode;
         if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
             result = restricted_combination(*combination, material);
         } else if (const NodeId profile = profile_of(id)) {
             result = with_profile(id, restricted(profile, material));
-        } else if (kind_of(material) == kinds_[kind_]) {
+        } else if (kind_here(material) == kinds_[kind_]) {
             result = copied(id);
         }
-        return restricted_[key] = result;
+        restricted_[key] = {result, clears_begun_};
+        return result;
     }
 
     NodeId restricted_combination(const Combination& c, const Material& material) {
@@ -150,14 +154,23 @@ private:
         return use;
     }
 
+    // A node, its material's number, and the clear kinds that began before it.
+    using Place = std::tuple<NodeId, std::size_t, std::size_t>;
+    struct Restricted {
+        NodeId node;
+        std::size_t clears_begun;
+    };
+
     const Solid& solid_;
     SolidBuilder builder_;
     std::vector<Kind> kinds_;
+    std::vector<Material> clears_;
     std::vector<Material> materials_;
-    std::set<std::pair<NodeId, std::size_t>> visited_;
+    std::set<Place> visited_;
     std::map<NodeId, NodeId> copied_;
-    std::map<std::pair<NodeId, std::size_t>, NodeId> restricted_;
+    std::map<Place, Restricted> restricted_;
     std::size_t kind_ = 0;
+    std::size_t clears_begun_ = 0;
 };
 
 }  // namespace

@@ -1,8 +1,9 @@
-// matter_parts.h — a solid divided by matter: everything opaque, and each clear matter for itself.
+// matter_parts.h — a solid divided by matter: what is opaque, and each clear matter for itself.
 //
 // A picture of opaque things needs the border of the whole solid only. Light in a glass of water also needs the border between the two, and where
 // they overlap, whose matter is there. So each clear matter becomes a solid of its own; a ray asks all of them, and the owner of a place is
-// the containing part of the highest priority, then an opaque one, then that of the lowest ordinal (docs/numerics.md, labels are not sets).
+// the containing part of the highest priority, then that of the lowest ordinal (docs/numerics.md, labels are not sets). So what is opaque is divided too,
+// by the clear matters that begin before it in the text. A clear matter used in several places has the ordinal of the first.
 #pragma once
 
 #include <vector>

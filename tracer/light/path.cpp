@@ -23,24 +23,39 @@ double weighed(double own, double other) {
 
 CameraLight PathTracer::camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first) {
     ++counters_.camera;
+    take_pass(static_cast<int>(sampler.index()));
     Walk walk;
     walk.ray = ray;
     bool met = false;
     while (step(walk, height, sampler, met ? nullptr : first)) met = true;
     // A walk that ends at its first border met the solid as well.
     met = met || walk.departs;
+    if (!walk.hues.white()) ++counters_.wavelengths;
     return {walk.radiance, met ? 1.0 : 0.0};
 }
 
+// A tile draws one sample of many pixels after the other.
+void PathTracer::take_pass(int number) {
+    if (!stage_.light_passes || number == pass_number_) return;
+    pass_ = stage_.light_passes->pass(number);
+    pass_number_ = number;
+}
+
+// Light from where nothing is met.
 Vec3 PathTracer::surroundings(const Walk& walk, double height) const {
     if (walk.straight && !walk.departs) return stage_.surroundings.backdrop(walk.ray.direction, height);
+    if (walk.single) return stage_.surroundings.radiance(walk.ray.direction);
     // Behind rough scattering the studio is its smooth sky: the key's soft box is sampled as a lamp.
-    return walk.single ? stage_.surroundings.radiance(walk.ray.direction) : stage_.surroundings.sky(walk.ray.direction);
+    const Vec3 sky = stage_.surroundings.is_studio() ? stage_.surroundings.sky(walk.ray.direction) : stage_.surroundings.radiance(walk.ray.direction);
+    if (!stage_.surroundings.map()) return sky;
+    return sky * weighed(walk.density, stage_.surroundings.map()->density(walk.ray.direction) * stage_.options.light_samples);
 }
 
 void PathTracer::meet_lamp(Walk& walk, const LightMet& lamp) const {
+    // Through mirrors and glass onto what is dull: the photons bring that.
+    if (pass_ && walk.dull && walk.single) return;
     const double other = lamp.density * direct_.parts_of(stage_.lights[lamp.light]);
-    walk.radiance += walk.share * lamp.radiance * (walk.single ? 1.0 : weighed(walk.density, other));
+    walk.radiance += walk.carried() * lamp.radiance * (walk.single ? 1.0 : weighed(walk.density, other));
 }
 
 // One border further; false where the walk ends.
@@ -50,14 +65,17 @@ bool PathTracer::step(Walk& walk, double height, const Sampler& sampler, const F
     const auto& [met, border] = known ? *known : asked;
     LightMet lamp;
     if (direct_.lamp_seen(walk.ray, met ? border.t : kInfinity, lamp)) {
+        if (met) walk.share *= absorbed(border.before ? border.before->absorption : Vec3(0), lamp.t);
         meet_lamp(walk, lamp);
         return false;
     }
     if (!met) {
-        walk.radiance += walk.share * surroundings(walk, height);
+        walk.radiance += walk.carried() * surroundings(walk, height);
         return false;
     }
     ++counters_.normals;
+    // Radiance is that of air: what a camera inside of clear matter takes up is less by the square of the index.
+    if (!walk.departs && border.before) walk.share /= border.before->ior * border.before->ior;
     walk.departs = true;
     walk.share *= absorbed_before(border);
     walk.leaving = border.leaving;
@@ -65,11 +83,11 @@ bool PathTracer::step(Walk& walk, double height, const Sampler& sampler, const F
     const Surface& s = *border.surface;
     const Vec2 choices = sampler.pair(Draw::kChoice, static_cast<std::uint32_t>(walk.bounce + walk.covers));
     if (s.coverage < 1 && choices.y >= s.coverage) return ++walk.covers < kMostCovers;
-    walk.straight = false;
-    walk.radiance += walk.share * s.emission;
+    walk.radiance += walk.carried() * s.emission;
     if (walk.bounce >= stage_.options.max_depth) return false;
     const Bsdf bsdf(s, border.normal, -walk.ray.direction);
     if (!scatter(walk, border, bsdf, sampler)) return false;
+    walk.straight = false;
     if (++walk.bounce < kSureBounces) return true;
     const double survival = std::min(1.0, largest(walk.share));
     if (!(sampler.pair(Draw::kSky, static_cast<std::uint32_t>(walk.bounce)).x < survival)) return false;
@@ -91,9 +109,15 @@ void PathTracer::add_lamps(Walk& walk, const Border& border, const Bsdf& bsdf, c
             if (open == Vec3(0)) continue;
             const bool seen = light.extended() && !stage_.surroundings.is_studio();
             const double weight = seen ? weighed(sample.density * parts, bsdf.density(sample.direction, cos_light)) : 1;
-            walk.radiance += walk.share * bsdf.value(sample.direction, cos_light) * open * sample.radiance * (cos_light * weight / parts);
+            walk.radiance += walk.carried() * bsdf.value(sample.direction, cos_light) * open * sample.radiance * (cos_light * weight / parts);
         }
     }
+}
+
+void PathTracer::add_photons(Walk& walk, const Border& border, const Bsdf& bsdf) const {
+    // What the eye sees without a detour was drawn from the lamps right onto the picture.
+    if (!pass_ || (walk.straight && pass_->draws_on_picture())) return;
+    walk.radiance += walk.carried() * pass_->gathered(border, bsdf);
 }
 
 // Picks clear, ideal or rough scattering by its share and goes on.
@@ -101,11 +125,11 @@ bool PathTracer::scatter(Walk& walk, const Border& border, const Bsdf& bsdf, con
     const Surface& s = *border.surface;
     const Vec2 u = sampler.pair(Draw::kLobe, static_cast<std::uint32_t>(walk.bounce));
     double choice = sampler.pair(Draw::kChoice, static_cast<std::uint32_t>(walk.bounce + walk.covers)).x;
-    if (choice < s.transmission) return scatter_clear(walk, border, bsdf, u, choice / s.transmission);
+    if (choice < s.transmission) return scatter_clear(walk, border, u, choice / s.transmission, sampler);
     choice = (choice - s.transmission) / (1 - s.transmission);
     const Vec3 view = -walk.ray.direction;
     const Vec3 mirror = s.sharp() ? bsdf.mirror_share(glm::dot(border.normal, view)) : Vec3(0);
-    const double bright = largest(mirror), dull = largest(bsdf.diffuse_albedo());
+    const double bright = largest(mirror), dull = largest(bsdf.dull_albedo());
     const double mirror_share = bright > 0 ? bright / (bright + dull) : 0;
     if (choice < mirror_share) {
         ++counters_.reflection;
@@ -116,6 +140,7 @@ bool PathTracer::scatter(Walk& walk, const Border& border, const Bsdf& bsdf, con
     }
     walk.share /= 1 - mirror_share;
     add_lamps(walk, border, bsdf, sampler);
+    add_photons(walk, border, bsdf);
     const Bsdf::Drawn drawn = bsdf.draw(u, (choice - mirror_share) / (1 - mirror_share));
     if (!(drawn.density > 0) || drawn.share == Vec3(0)) return false;
     ++counters_.diffuse;
@@ -123,28 +148,19 @@ bool PathTracer::scatter(Walk& walk, const Border& border, const Bsdf& bsdf, con
     walk.share *= drawn.share;
     walk.density = drawn.density;
     walk.single = false;
+    walk.dull = true;
     return true;
 }
 
-bool PathTracer::scatter_clear(Walk& walk, const Border& border, const Bsdf& bsdf, Vec2 u, double choice) {
-    const Surface& s = *border.surface;
-    const double eta = border.eta();
-    const Vec3 micro = bsdf.micro_normal(u), in = walk.ray.direction;
-    const double mirror = fresnel_dielectric(-glm::dot(in, micro), eta);
+bool PathTracer::scatter_clear(Walk& walk, const Border& border, Vec2 u, double choice, const Sampler& sampler) {
+    const CrossingDraws draws{u, choice, stage_.spectrum ? sampler.pair(Draw::kTimeAndWavelength).y : 0};
+    const std::optional<Crossing> crossing = cross_border(stage_, border, walk.ray.direction, draws, walk.hues);
+    if (!crossing) return false;
     walk.single = true;
-    if (choice < mirror) {
-        ++counters_.reflection;
-        walk.ray.direction = mirrored(in, micro);
-    } else {
-        const std::optional<Vec3> bent = refracted(in, micro, eta);
-        if (!bent) return false;
-        ++counters_.refraction;
-        walk.ray.direction = *bent;
-        walk.share *= s.color;
-    }
-    const double cosine = glm::dot(walk.ray.direction, border.normal);
-    if ((cosine > 0) != (choice < mirror)) return false;
-    if (!s.sharp()) walk.share *= ggx_masking(std::abs(cosine), s.alpha);
+    walk.ray.direction = crossing->direction;
+    walk.share *= crossing->radiance_scale;
+    if (crossing->through) walk.share *= border.surface->color;
+    ++(crossing->through ? counters_.refraction : counters_.reflection);
     return true;
 }
 

@@ -14,6 +14,7 @@
 #include <tbb/task_arena.h>
 
 #include "tracer/image/tone.h"
+#include "tracer/light/light_pass.h"
 #include "tracer/light/stage.h"
 
 namespace whittle {
@@ -60,7 +61,9 @@ public:
     RenderResult run() {
         const int samples = stage_.options.samples;
         bool first = true;
-        for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < 4 ? goal + 1 : goal + goal / 2)) {
+        // Light passes are made for a loop over the tiles and then forgotten.
+        const int most = stage_.light_passes ? LightPasses::kKept : samples;
+        for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < 4 ? goal + 1 : goal + std::min(goal / 2, most))) {
             pass(goal, first);
             first = false;
             if (goal >= samples || stopped()) break;
@@ -75,6 +78,7 @@ private:
 
     // Brings every tile that still needs it to `goal` samples. The first pass goes on when asked to stop: a picture is whole or nothing.
     void pass(int goal, bool first) {
+        if (stage_.light_passes) stage_.light_passes->make(*std::min_element(done_.begin(), done_.end()), goal);
         const std::size_t together = control_.keep ? kTilesBetweenLooks : tiles_.size();
         for (std::size_t begin = 0; begin < tiles_.size(); begin += together) {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, std::min(begin + together, tiles_.size()), 1), [&](const tbb::blocked_range<std::size_t>& range) {
@@ -145,6 +149,8 @@ private:
         r.film = std::move(film_);
         r.exposure = stage_.lens.exposure;
         r.integrator = stage_.integrator;
+        r.reason = stage_.reason;
+        if (stage_.light_passes) r.counters.photons = stage_.light_passes->rays_sent();
         r.warnings = stage_.warnings;
         r.seconds = seconds_since(start_);
         if (control_.progress) control_.progress({1, r.seconds, 0});
@@ -169,6 +175,9 @@ void count_skips(const Stage& stage, RenderCounters& c) {
     if (!stage.needs.shadows) c.skipped_shadows = c.camera;
     if (!stage.needs.see_through) c.skipped_media = c.camera;
     if (!stage.needs.lens) c.skipped_lens = c.camera;
+    if (!stage.needs.shutter) c.skipped_shutter = c.camera;
+    if (!stage.spectrum) c.skipped_spectrum = c.camera;
+    if (!stage.light_passes) c.skipped_photons = c.camera;
 }
 
 }  // namespace
@@ -186,6 +195,10 @@ RenderCounters& RenderCounters::operator+=(const RenderCounters& o) {
     skipped_shadows += o.skipped_shadows;
     skipped_media += o.skipped_media;
     skipped_lens += o.skipped_lens;
+    skipped_shutter += o.skipped_shutter;
+    skipped_spectrum += o.skipped_spectrum;
+    skipped_photons += o.skipped_photons;
+    no_numbers += o.no_numbers;
     engine += o.engine;
     return *this;
 }

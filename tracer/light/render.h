@@ -19,6 +19,7 @@
 #include "tracer/engine/engine.h"
 #include "tracer/image/film.h"
 #include "tracer/image/filter.h"
+#include "tracer/image/image_file.h"
 #include "tracer/light/camera.h"
 
 namespace whittle {
@@ -62,6 +63,8 @@ struct RenderScene {
     ViewVariables view;
     CameraSpec camera_spec;         // the command line's --camera, --viewall ...
     const Solid* solid = nullptr;   // what the program was compiled from; without it overlapping clear matters are not told apart. Read in prepare() only
+    // Linear picture of environment(file=...) at a place in the text; null: there are no files.
+    std::function<Result<Image>(const std::string& file, const SourcePlace& place)> read_picture;
 };
 
 struct RenderProgress {
@@ -84,7 +87,8 @@ struct RenderControl {
 struct RenderCounters {
     std::uint64_t camera = 0, shadow = 0, reflection = 0, refraction = 0, diffuse = 0;
     std::uint64_t photons = 0, media_stack = 0, normals = 0, wavelengths = 0;
-    std::uint64_t skipped_shadows = 0, skipped_media = 0, skipped_lens = 0;
+    std::uint64_t skipped_shadows = 0, skipped_media = 0, skipped_lens = 0, skipped_shutter = 0, skipped_spectrum = 0, skipped_photons = 0;
+    std::uint64_t no_numbers = 0;  // samples that came out as no number: they count as dark
     EngineCounters engine;
     RenderCounters& operator+=(const RenderCounters& o);
 };
@@ -93,6 +97,7 @@ struct RenderResult {
     Film film;
     double exposure = 0;                           // of the scene's camera, in stops: add to --exposure
     Integrator integrator = Integrator::kPreview;  // the one used
+    std::string reason;                            // why, where the choice was left to us
     int samples_finished = 0;                      // of every pixel
     bool interrupted = false;
     bool complete = false;                         // every tile has its samples, or is good enough

@@ -77,6 +77,8 @@ public:
         return {sobol::unit(x), sobol::unit(y)};
     }
 
+    std::uint32_t index() const { return index_; }
+
 private:
     std::uint32_t pixel_;
     std::uint32_t index_;

@@ -38,6 +38,15 @@ inline double fresnel_dielectric(double cos_in, double eta) {
     return 0.5 * (s * s + p * p);
 }
 
+// Unpolarised reflectance of a metal of complex index n + ik, seen from air.
+inline double fresnel_conductor(double cos_in, double n, double k) {
+    const double c = std::clamp(cos_in, 0.0, 1.0), c2 = c * c, s2 = 1 - c2;
+    const double q = n * n - k * k - s2, a2b2 = std::sqrt(q * q + 4 * n * n * k * k), a = std::sqrt(std::max(0.0, 0.5 * (a2b2 + q)));
+    const double rs = (a2b2 + c2 - 2 * a * c) / (a2b2 + c2 + 2 * a * c);
+    const double rp = rs * (c2 * a2b2 + s2 * s2 - 2 * a * c * s2) / (c2 * a2b2 + s2 * s2 + 2 * a * c * s2);
+    return 0.5 * (rs + rp);
+}
+
 inline double fifth_power(double x) { return x * x * x * x * x; }
 // Schlick's reflectance from that at normal incidence.
 inline Vec3 fresnel_schlick(Vec3 f0, double cos_in) { return f0 + (Vec3(1) - f0) * fifth_power(1 - std::clamp(cos_in, 0.0, 1.0)); }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tracer/image/tone.h"
+#include "tracer/light/light_pass.h"
 
 namespace whittle {
 
@@ -31,8 +32,19 @@ Result<void> check(const RenderOptions& o) {
     return {};
 }
 
-StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, const Lens& lens, const RenderOptions& options) {
+bool moves(const Solid& solid) {
+    if (solid.root().motion != 0) return true;
+    for (NodeId id = 0; id < solid.node_count(); ++id) {
+        const auto* combination = std::get_if<Combination>(&solid.node(id));
+        if (combination && std::any_of(combination->operands.begin(), combination->operands.end(), [](const Use& use) { return use.motion != 0; })) return true;
+    }
+    return false;
+}
+
+StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, const Lens& lens, const Solid* solid, const RenderOptions& options) {
     StageNeeds n;
+    n.shutter = solid && moves(*solid);
+    bool focuses = false, receives = false;
     n.shadows = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.casts_shadow; });
     n.soft_lights = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.extended(); });
     n.lens = lens.aperture > 0;
@@ -42,27 +54,87 @@ StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, 
             n.see_through = n.see_through || s.see_through();
             n.mirrors = n.mirrors || s.mirrors();
             n.glossy = n.glossy || ((s.metal > 0 || s.clear()) && !s.sharp());
+            n.spectrum = n.spectrum || (s.clear() && s.abbe > 0);
+            focuses = focuses || s.focuses();
+            receives = receives || s.receives();
         }
+    const bool lamps = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.kind != LightKind::kEnvironment && l.emitted != Vec3(0); });
+    n.photons = lamps && focuses && receives;
     return n;
 }
 
-Integrator cheapest(const StageNeeds& needs, bool studio) {
-    if (needs.glossy || needs.lens || (needs.soft_lights && !studio)) return Integrator::kDistributed;
-    return Integrator::kWhitted;
+struct Choice {
+    Integrator integrator = Integrator::kWhitted;
+    std::string reason;
+};
+
+// In the studio lamps are no things and throw no caustics.
+Choice cheapest(const StageNeeds& needs, bool studio) {
+    if (needs.photons && !studio) return {Integrator::kCaustics, "lamps shine through clear matter or off mirrors"};
+    if (needs.shutter) return {Integrator::kDistributed, "something moves"};
+    if (needs.lens) return {Integrator::kDistributed, "the lens has an aperture"};
+    if (needs.spectrum) return {Integrator::kDistributed, "matter disperses light"};
+    if (needs.glossy) return {Integrator::kDistributed, "mirrors or clear matter are rough"};
+    if (needs.soft_lights && !studio) return {Integrator::kDistributed, "lights have a size"};
+    return {Integrator::kWhitted, "all mirrors are sharp and all shadows hard"};
 }
 
-void add_lights(const RenderScene& scene, Vec3 centre, Stage& stage) {
+// Scales that are no number or negative are darkness; those without end are very bright.
+double scale_of(double intensity) {
+    constexpr double kBrightest = 1e9;
+    return intensity > 0 ? std::min(intensity, kBrightest) : 0;
+}
+
+Result<void> add_environment(const RenderScene& scene, const EnvironmentLight& light, const SourcePlace& place, Stage& stage) {
+    const Vec3 tint = srgb_to_linear(light.color) * scale_of(light.intensity);
+    stage.surroundings = Surroundings::constant(tint);
+    if (light.file.empty()) return {};
+    if (!scene.read_picture) return fail(Fault::kScene, fmt::format("environment(file=\"{}\") can't be read here", light.file));
+    const Result<Image> image = scene.read_picture(light.file, place);
+    if (!image) return tl::unexpected<Error>(image.error());
+    if (image->width < 1 || image->height < 1 || image->floats.empty()) return fail(Fault::kScene, fmt::format("\"{}\" holds no picture", light.file));
+    std::size_t mended = 0;
+    auto map = std::make_shared<const EnvironmentMap>(*image, tint, light.rotate_deg, mended);
+    if (mended > 0) stage.warnings.push_back(fmt::format("{} pixels of \"{}\" are negative, infinite or no numbers: they give no light, or the most there is", mended, light.file));
+    stage.surroundings = Surroundings::picture(map);
+    if (map->dark()) return {};
+    LightSource lamp;
+    lamp.kind = LightKind::kEnvironment;
+    lamp.emitted = tint;
+    lamp.map = std::move(map);
+    stage.lights.push_back(std::move(lamp));
+    return {};
+}
+
+Result<void> add_lights(const RenderScene& scene, Vec3 centre, Stage& stage) {
     for (const Light& light : scene.lights) {
         if (const auto* point = std::get_if<PointLight>(&light.what)) stage.lights.push_back(resolve_light(*point, centre));
         if (const auto* sun = std::get_if<SunLight>(&light.what)) stage.lights.push_back(resolve_light(*sun));
         if (const auto* area = std::get_if<AreaLight>(&light.what)) stage.lights.push_back(resolve_light(*area, centre));
         const auto* around = std::get_if<EnvironmentLight>(&light.what);
         if (!around) continue;
-        stage.surroundings = Surroundings::constant(srgb_to_linear(around->color) * std::max(0.0, around->intensity));
-        if (!around->file.empty()) stage.warnings.push_back(fmt::format("environment(file=\"{}\") is not supported yet, its color is used", around->file));
+        if (const Result<void> added = add_environment(scene, *around, light.place, stage); !added) return added;
     }
     const bool black = std::all_of(stage.lights.begin(), stage.lights.end(), [](const LightSource& l) { return l.emitted == Vec3(0); });
     if (black && stage.surroundings.dark()) stage.warnings.push_back("The lights of the scene are all black");
+    return {};
+}
+
+// Only integrators that sample areas draw from a picture of surroundings; the others look at it smoothed.
+void drop_environment_lamps(Stage& stage) {
+    if (!stage.distributes())
+        stage.lights.erase(std::remove_if(stage.lights.begin(), stage.lights.end(), [](const LightSource& l) { return l.kind == LightKind::kEnvironment; }), stage.lights.end());
+}
+
+void add_light_passes(const Bounds& bounds, bool studio, Stage& stage) {
+    if (stage.integrator != Integrator::kCaustics || studio) return;
+    stage.emission = Emission(stage.lights, stage.world.focusing_bounds(), bounds);
+    if (!stage.needs.photons || !stage.emission.shines()) return;
+    // As many rays as pixels, so that lamp and eye share the work; enough for small pictures, not too many to be held.
+    constexpr double kFewest = 0x1p14, kMost = 0x1p18;
+    const double pixels = static_cast<double>(stage.options.width) * stage.options.height;
+    const auto draws = listed(stage.options.disabled_passes, "light_tracing") ? LightPasses::Draws::kNothing : LightPasses::Draws::kOntoPicture;
+    stage.light_passes = std::make_shared<const LightPasses>(stage, static_cast<int>(std::clamp(pixels, kFewest, kMost)), draws);
 }
 
 double half_diagonal(const Bounds& b) {
@@ -106,12 +178,15 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
         stage->lights = studio_lamps(*lens);
         stage->surroundings = Surroundings::studio(*lens);
     } else {
-        add_lights(scene, centre_of(bounds), *stage);
+        if (const Result<void> added = add_lights(scene, centre_of(bounds), *stage); !added) return tl::unexpected<Error>(added.error());
     }
-    stage->needs = needs_of(stage->world, stage->lights, *lens, options);
-    stage->integrator = options.integrator == Integrator::kAuto ? cheapest(stage->needs, studio) : options.integrator;
-    if (stage->integrator > Integrator::kPath)
-        return fail(Fault::kCommand, fmt::format("--integrator {} is not there yet; there are preview, whitted, distributed, path", integrator_name(stage->integrator)));
+    stage->needs = needs_of(stage->world, stage->lights, *lens, scene.solid, options);
+    const Choice choice = cheapest(stage->needs, studio);
+    stage->integrator = options.integrator == Integrator::kAuto ? choice.integrator : options.integrator;
+    if (options.integrator == Integrator::kAuto) stage->reason = choice.reason;
+    drop_environment_lamps(*stage);
+    if (stage->needs.spectrum && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();
+    add_light_passes(bounds, studio, *stage);
     stage->filter = FilterSampler(options.filter);
     stage->thickness_scale = half_diagonal(bounds) / 4;
     stage->program = std::move(program);

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "tracer/image/filter.h"
+#include "tracer/light/emission.h"
 #include "tracer/light/lights.h"
 #include "tracer/light/render.h"
+#include "tracer/light/spectrum.h"
 #include "tracer/light/surface.h"
 #include "tracer/light/surroundings.h"
 #include "tracer/light/world.h"
@@ -21,7 +23,12 @@ struct StageNeeds {
     bool glossy = false;      // rough mirrors or rough glass
     bool soft_lights = false; // with a size
     bool lens = false;        // an aperture
+    bool shutter = false;     // something moves
+    bool spectrum = false;    // an index depends on the wavelength
+    bool photons = false;     // lamps shine through something that focuses onto something dull
 };
+
+class LightPasses;
 
 class Stage {
 public:
@@ -35,8 +42,14 @@ public:
     Lens lens;
     FilterSampler filter{FilterKind::kGaussian};
     StageNeeds needs;
+    std::unique_ptr<const Spectrum> spectrum;          // null: nothing disperses, or the integrator follows no wavelengths
+    Emission emission;                                 // of light passes
+    std::shared_ptr<const LightPasses> light_passes;   // null: caustics are not asked for, or nothing makes them
     double thickness_scale = 1;  // of --xray, mm
     std::vector<std::string> warnings;
+    // Does the integrator draw from areas: lamps, lobes, lens, shutter?
+    bool distributes() const { return integrator >= Integrator::kDistributed && integrator != Integrator::kCone; }
+    std::string reason;          // why auto chose this integrator, in words that follow its name
 };
 
 }  // namespace whittle

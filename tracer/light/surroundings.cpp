@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tracer/light/scattering.h"
 
@@ -39,6 +40,13 @@ Surroundings Surroundings::constant(Vec3 radiance) {
     return s;
 }
 
+Surroundings Surroundings::picture(std::shared_ptr<const EnvironmentMap> map) {
+    Surroundings s;
+    s.kind_ = map->dark() ? Kind::kBlack : Kind::kPicture;
+    if (!map->dark()) s.map_ = std::move(map);
+    return s;
+}
+
 Surroundings Surroundings::studio(const Lens& lens) {
     Surroundings s;
     s.kind_ = Kind::kStudio;
@@ -53,6 +61,7 @@ Surroundings Surroundings::studio(const Lens& lens) {
 Vec3 Surroundings::gradient(double y) const { return glm::mix(kBackdropBottom, kBackdropTop, smooth(-1.3, 1.3, y)); }
 
 Vec3 Surroundings::radiance(Vec3 d) const {
+    if (kind_ == Kind::kPicture) return map_->radiance(d);
     if (kind_ != Kind::kStudio) return constant_;
     const Vec3 sky = glm::mix(kMirrorHorizon, kMirrorZenith, smooth(0.0, 0.8, d.z));
     const Vec3 room = glm::mix(kMirrorFloor, sky, smooth(-0.12, 0.06, d.z)) + kKey * (kBoxRadiance * smooth(kBoxOuterCos, kBoxInnerCos, glm::dot(d, key_)));
@@ -65,6 +74,7 @@ Vec3 Surroundings::radiance(Vec3 d) const {
 Vec3 Surroundings::backdrop(Vec3 direction, double y) const { return kind_ == Kind::kStudio ? gradient(y) : radiance(direction); }
 
 Vec3 Surroundings::sky(Vec3 normal) const {
+    if (kind_ == Kind::kPicture) return map_->smooth(normal);
     if (kind_ != Kind::kStudio) return constant_;
     return glm::mix(kFloorBelow, kSkyAbove, 0.5 + 0.5 * normal.z);
 }

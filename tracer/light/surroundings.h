@@ -1,4 +1,4 @@
-// surroundings.h — what rays see that meet nothing: black, a constant environment, or the neutral studio; and the studio's lamps.
+// surroundings.h — what rays see that meet nothing: black, a constant environment, a picture, or the neutral studio; and the studio's lamps.
 //
 // The studio goes with the camera: a key lamp from the upper left in front, a weak fill from the right that casts no shadow, a soft sky from above
 // and a little light from the floor. A white matte surface that faces the key is white. Its backdrop is a soft gradient over the height of the picture.
@@ -16,6 +16,7 @@ class Surroundings {
 public:
     static Surroundings black() { return {}; }
     static Surroundings constant(Vec3 radiance);
+    static Surroundings picture(std::shared_ptr<const EnvironmentMap> map);
     static Surroundings studio(const Lens& lens);
 
     // Seen in a mirror or through glass along the unit direction.
@@ -26,13 +27,16 @@ public:
     Vec3 sky(Vec3 normal) const;
     bool dark() const { return kind_ == Kind::kBlack; }
     bool is_studio() const { return kind_ == Kind::kStudio; }
+    // The picture; null: there is none.
+    const EnvironmentMap* map() const { return map_.get(); }
 
 private:
-    enum class Kind { kBlack, kConstant, kStudio };
+    enum class Kind { kBlack, kConstant, kPicture, kStudio };
     Vec3 gradient(double y) const;
 
     Kind kind_ = Kind::kBlack;
     Vec3 constant_{0};
+    std::shared_ptr<const EnvironmentMap> map_;
     Vec3 forward_{0}, up_{0}, key_{0};
     double half_height_ = 1;
     bool orthographic_ = false;

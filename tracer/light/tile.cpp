@@ -31,8 +31,8 @@ bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::is
 void add_sample(const CameraLight& light, double weight, PixelSums& sums) {
     // What is no number is no light: one such sample must not blacken or blow up a pixel.
     const Vec3 radiance = finite(light.radiance) ? light.radiance : Vec3(0);
-    const double bright = luminance(radiance);
-    sums.color += weight * radiance;
+    const double bright = luminance(radiance + light.drawn);
+    sums.color += weight * radiance + light.drawn;
     sums.coverage += weight * light.coverage;
     sums.weight += weight;
     sums.luminance += bright;

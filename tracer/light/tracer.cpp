@@ -1,6 +1,9 @@
 #include "tracer/light/tracer.h"
 
 #include <limits>
+#include <utility>
+
+#include "tracer/engine/cone.h"
 
 namespace whittle {
 
@@ -14,6 +17,19 @@ constexpr double kLeastWeight = 1.0 / 512;
 // Least blur (GGX alpha) of what is seen in a rough mirror. Chosen on the bearing of gold and steel: no sparks at 16 samples.
 constexpr double kRoughImage = 0.25;
 
+// Radius of the disc that stands for a GGX lobe in cone tracing, at distance 1 and per alpha: the disc of half the lobe's light lies within.
+constexpr double kLobeRadius = 2;
+
+// The disc of a pixel's area around its ray.
+Cone pixel_cone(const Stage& stage, const Ray& ray) {
+    const double radius = 2 * stage.lens.half_height / stage.options.height / std::sqrt(kPi);
+    Cone cone;
+    cone.axis = ray;
+    if (stage.lens.orthographic) cone.start = radius;
+    else cone.spread = radius * glm::dot(ray.direction, stage.lens.forward);
+    return cone;
+}
+
 // Covers one behind the other that a ray goes through before it is called opaque.
 constexpr int kMostCovers = 64;
 
@@ -21,22 +37,75 @@ constexpr int kMostCovers = 64;
 
 CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first) {
     sampler_ = &sampler;
+    time_ = ray.time;
     ++counters_.camera;
     FirstBorder asked;
     if (!first) asked.met = stage_.world.next(ray, nullptr, kInfinity, scratch_, asked.border);
-    const auto& [met, border] = first ? *first : asked;
+    const FirstBorder& known = first ? *first : asked;
+    if (cones()) return cone_light(ray, height, known);
     LightMet lamp;
-    if (direct_.lamp_seen(ray, met ? border.t : kInfinity, lamp)) return {lamp.radiance, 1};
-    if (met) return {shade(ray, border, Branch{}), 1};
+    if (direct_.lamp_seen(ray, known.met ? known.border.t : kInfinity, lamp)) return {lamp.radiance, 1};
+    if (known.met) return {shade(ray, known.border, Branch{}), 1};
     return {stage_.surroundings.backdrop(ray.direction, height), 0};
 }
 
-Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch) {
-    Border border;
-    const bool met = stage_.world.next(ray, leaving, kInfinity, scratch_, border);
+Vec3 Tracer::seen(const Ray& ray, const FirstBorder& first, const Branch& branch) {
     LightMet lamp;
-    if (branch.sees_lights && direct_.lamp_seen(ray, met ? border.t : kInfinity, lamp)) return lamp.radiance;
-    return met ? shade(ray, border, branch) : stage_.surroundings.radiance(ray.direction);
+    if (branch.sees_lights && direct_.lamp_seen(ray, first.met ? first.border.t : kInfinity, lamp)) return lamp.radiance;
+    return first.met ? shade(ray, first.border, branch) : stage_.surroundings.radiance(ray.direction);
+}
+
+Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch) {
+    FirstBorder first;
+    first.met = stage_.world.next(ray, leaving, kInfinity, scratch_, first.border);
+    return cones() ? follow_cone(ray, leaving, branch, first) : seen(ray, first, branch);
+}
+
+// Both parts of the pixel that an edge divides.
+CameraLight Tracer::cone_light(const Ray& ray, double height, const FirstBorder& first) {
+    Branch branch;
+    const Cone cone = pixel_cone(stage_, ray);
+    branch.wide = cone.start;
+    branch.widens = cone.spread;
+    const auto light = [&](const Ray& along, const FirstBorder& border) -> CameraLight {
+        LightMet lamp;
+        const bool lit = direct_.lamp_seen(along, border.met ? border.border.t : kInfinity, lamp);
+        if (border.met || lit) return {lit ? lamp.radiance : shade(along, border.border, branch), 1};
+        return {stage_.surroundings.backdrop(along.direction, height), 0};
+    };
+    const ConeSplit split = split_cone(*stage_.program, cone, first.met ? first.border.t : kInfinity);
+    if (!split.divided()) return light(ray, first);
+    CameraLight sum;
+    for (const auto& [off, share] : {std::pair(split.here, split.share), std::pair(split.there, 1 - split.share)}) {
+        Ray part = ray;
+        part.origin += cone.start * off;
+        part.direction = glm::normalize(ray.direction + cone.spread * off);
+        FirstBorder border;
+        border.met = stage_.world.next(part, nullptr, kInfinity, scratch_, border.border);
+        const CameraLight own = light(part, border);
+        sum.radiance += share * own.radiance;
+        sum.coverage += share * own.coverage;
+    }
+    return sum;
+}
+
+// What a mirror or glass shows through a cone. Both parts leave the same place.
+Vec3 Tracer::follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis) {
+    Branch onward = branch;
+    if (axis.met) onward.wide = branch.wide + branch.widens * axis.border.t;
+    const Cone cone{ray, branch.wide, branch.widens};
+    const ConeSplit split = split_cone(*stage_.program, cone, axis.met ? axis.border.t : kInfinity);
+    if (!split.divided()) return seen(ray, axis, onward);
+    Vec3 sum(0);
+    for (const auto& [off, share] : {std::pair(split.here, split.share), std::pair(split.there, 1 - split.share)}) {
+        Ray part = ray;
+        part.direction = glm::normalize(ray.direction + (cone.start / split.t + cone.spread) * off);
+        FirstBorder border;
+        border.met = stage_.world.next(part, leaving, kInfinity, scratch_, border.border);
+        onward.weight = branch.weight * share;
+        sum += share * seen(part, border, onward);
+    }
+    return sum;
 }
 
 Vec3 Tracer::shade(const Ray& ray, const Border& border, const Branch& branch) {
@@ -56,37 +125,53 @@ Vec3 Tracer::shade_as(const Surface& s, const Ray& ray, const Border& border, co
         sum += (1 - s.transmission) * lit(s, border, bsdf, branch);
         if (s.metal > 0 || (s.sharp() && s.dielectric_f0 > 0)) sum += (1 - s.transmission) * reflection(s, ray, border, bsdf, branch);
     }
-    if (s.transmission > 0) sum += s.transmission * through_clear(s, ray, border, bsdf, branch);
+    if (s.transmission > 0) sum += s.transmission * through_clear(s, ray, border, branch);
     if (s.coverage < 1) sum = s.coverage * sum + (1 - s.coverage) * straight_on(ray, border, branch);
     return absorbed_before(border) * sum;
 }
 
 Vec3 Tracer::lit(const Surface& s, const Border& border, const Bsdf& bsdf, const Branch& branch) {
     if (s.metal >= 1 && s.sharp()) return Vec3(0);
-    Vec3 sum = sky(border, bsdf, branch);
+    Vec3 sum = sky(s, border, bsdf, branch);
     for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
-        const int parts = direct_.parts_of(stage_.lights[i]);
+        const LightSource& light = stage_.lights[i];
+        // In a metal the picture of the surroundings is met by the ray that follows.
+        const bool dull = light.kind == LightKind::kEnvironment && s.metal > 0;
+        const int parts = direct_.parts_of(light);
         for (int k = 0; k < parts; ++k) {
             const LightSample sample = direct_.sample(i, border.point, *sampler_, branch.depth, k, parts);
             const double cos_light = glm::dot(border.normal, sample.direction);
             if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
-            const bool shadow = stage_.lights[i].casts_shadow && stage_.integrator != Integrator::kPreview;
-            const Vec3 share = shadow ? direct_.transmittance(border, sample.direction, sample.distance, 0, ClearShadows::kLetThrough) : Vec3(1);
-            if (share != Vec3(0)) sum += bsdf.value(sample.direction, cos_light) * share * sample.radiance * (cos_light / parts);
+            const bool shadow = light.casts_shadow && stage_.integrator != Integrator::kPreview;
+            const Vec3 share = shadow && cones() && light.extended() ? direct_.cone_transmittance(border, light, sample)
+                               : shadow                              ? direct_.transmittance(border, sample.direction, sample.distance, time_, ClearShadows::kLetThrough)
+                                                                     : Vec3(1);
+            if (share == Vec3(0)) continue;
+            sum += (dull ? bsdf.dull_value(cos_light) : bsdf.value(sample.direction, cos_light)) * share * sample.radiance * (cos_light / parts);
         }
     }
     return sum;
 }
 
-// Light of the surroundings on rough matter; metals and clear matter follow a ray instead.
-Vec3 Tracer::sky(const Border& border, const Bsdf& bsdf, const Branch& branch) {
-    if (stage_.surroundings.dark()) return Vec3(0);
-    if (distributes()) {
-        if (bsdf.diffuse_albedo() == Vec3(0)) return Vec3(0);
-        const Vec3 direction = Frame(border.normal).to_world(on_cosine_hemisphere(sampler_->pair(Draw::kSky, static_cast<std::uint32_t>(branch.depth))));
-        return bsdf.diffuse_albedo() * stage_.surroundings.sky(direction) * direct_.transmittance(border, direction, kInfinity, 0, ClearShadows::kLetThrough);
+// Light of the surroundings on rough matter; mirrors, metals and clear matter follow a ray instead.
+Vec3 Tracer::sky(const Surface& s, const Border& border, const Bsdf& bsdf, const Branch& branch) {
+    const Surroundings& around = stage_.surroundings;
+    if (around.dark()) return Vec3(0);
+    if (!distributes()) return bsdf.dull_albedo() * around.sky(border.normal) + bsdf.sheen() * around.sky(mirrored(-bsdf.view(), border.normal));
+    // A picture is a lamp.
+    if (around.map()) return Vec3(0);
+    const auto vertex = static_cast<std::uint32_t>(branch.depth);
+    const Vec2 u = sampler_->pair(Draw::kSky, vertex);
+    Bsdf::Drawn drawn;
+    if (bsdf.gloss() && !(s.metal > 0)) {
+        drawn = bsdf.draw(u, sampler_->pair(Draw::kChoice, vertex).x);
+        if (!(drawn.density > 0)) return Vec3(0);
+    } else {
+        drawn.direction = Frame(border.normal).to_world(on_cosine_hemisphere(u));
+        drawn.share = bsdf.dull_value(glm::dot(drawn.direction, border.normal)) * kPi;
     }
-    return bsdf.diffuse_albedo() * stage_.surroundings.sky(border.normal) + bsdf.sheen() * stage_.surroundings.sky(mirrored(-bsdf.view(), border.normal));
+    if (drawn.share == Vec3(0)) return Vec3(0);
+    return drawn.share * around.sky(drawn.direction) * direct_.transmittance(border, drawn.direction, kInfinity, time_, ClearShadows::kLetThrough);
 }
 
 Vec3 Tracer::reflection(const Surface& s, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch) {
@@ -104,39 +189,72 @@ Vec3 Tracer::reflection(const Surface& s, const Ray& ray, const Border& border, 
     if (onward.weight < kLeastWeight) return Vec3(0);
     ++onward.depth;
     onward.sees_lights = s.sharp();
-    if (!s.sharp()) onward.spread = std::max(kRoughImage, s.alpha);
+    if (!s.sharp()) {
+        onward.spread = std::max(kRoughImage, s.alpha);
+        onward.widens += kLobeRadius * s.alpha;
+    }
     ++counters_.reflection;
     return share * follow(next, &border.leaving, onward);
 }
 
-// Both branches at the border of clear matter.
-Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch) {
+// Both branches at the border of clear matter; of rough matter one of them, by lot.
+Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& border, const Branch& branch) {
     if (branch.depth >= stage_.options.max_depth) return Vec3(0);
-    const double eta = border.eta();
-    const Vec3 micro = distributes() ? bsdf.micro_normal(lobe(branch)) : border.normal;
-    const double mirror = fresnel_dielectric(-glm::dot(ray.direction, micro), eta);
-    Ray next = ray;
-    next.origin = border.point;
     Branch onward = branch;
     ++onward.depth;
     onward.sees_lights = s.sharp();
     if (!s.sharp()) onward.spread = std::max(kRoughImage, s.alpha);
     const double reach = branch.weight * largest(absorbed_before(border));
+    if (!s.sharp() && distributes()) {
+        onward.weight = reach;
+        return reach < kLeastWeight ? Vec3(0) : through_rough(ray, border, onward);
+    }
+    // The reflected branch keeps all wavelengths together, the refracted one has the hero's way.
+    Branch bent = onward;
+    Vec3 hue(1);
+    if (stage_.spectrum && disperses(border) && bent.hues.white()) {
+        bent.hues.begin(*stage_.spectrum, sampler_->pair(Draw::kTimeAndWavelength).y);
+        bent.hues.hero_alone(*stage_.spectrum);
+        hue = bent.hues.color();
+        ++counters_.wavelengths;
+    }
+    const double cosine = -glm::dot(ray.direction, border.normal), eta = eta_at(border, bent.hues.hero());
+    const double mirror = fresnel_dielectric(cosine, eta_at(border, onward.hues.hero())), let_through = 1 - fresnel_dielectric(cosine, eta);
+    Ray next = ray;
+    next.origin = border.point;
     Vec3 sum(0);
     onward.weight = reach * mirror;
-    next.direction = mirrored(ray.direction, micro);
-    if (onward.weight >= kLeastWeight && glm::dot(next.direction, border.normal) > 0) {
+    next.direction = mirrored(ray.direction, border.normal);
+    if (onward.weight >= kLeastWeight) {
         ++counters_.reflection;
         sum += mirror * follow(next, &border.leaving, onward);
     }
-    onward.weight = reach * (1 - mirror);
-    const std::optional<Vec3> bent = refracted(ray.direction, micro, eta);
-    if (bent && onward.weight >= kLeastWeight && glm::dot(*bent, border.normal) < 0) {
+    bent.weight = reach * let_through;
+    const std::optional<Vec3> refraction = refracted(ray.direction, border.normal, eta);
+    if (refraction && bent.weight >= kLeastWeight) {
         ++counters_.refraction;
-        next.direction = *bent;
-        sum += (1 - mirror) * s.color * follow(next, &border.leaving, onward);
+        next.direction = *refraction;
+        sum += let_through * s.color * hue * follow(next, &border.leaving, bent);
     }
     return sum;
+}
+
+Vec3 Tracer::through_rough(const Ray& ray, const Border& border, const Branch& branch) {
+    const auto vertex = static_cast<std::uint32_t>(branch.depth);
+    const CrossingDraws draws{lobe(branch), sampler_->pair(Draw::kChoice, vertex).x, stage_.spectrum ? sampler_->pair(Draw::kTimeAndWavelength).y : 0};
+    Branch onward = branch;
+    const std::optional<Crossing> crossing = cross_border(stage_, border, ray.direction, draws, onward.hues);
+    if (!crossing) return Vec3(0);
+    Vec3 share = crossing->through ? border.surface->color : Vec3(1);
+    if (branch.hues.white() && !onward.hues.white()) {
+        onward.hues.hero_alone(*stage_.spectrum);
+        share *= onward.hues.color();
+    }
+    Ray next = ray;
+    next.origin = border.point;
+    next.direction = crossing->direction;
+    ++(crossing->through ? counters_.refraction : counters_.reflection);
+    return share * follow(next, &border.leaving, onward);
 }
 
 // Behind a thin cover.

@@ -1,10 +1,13 @@
 // tracer.h — the light along one ray: Whitted's tree of mirrors and refractions, with areas sampled where the integrator distributes.
 //
+// With cones instead of rays (cone.h) an edge that crosses a pixel, a lamp's disc or a blurred image divides it in two: one ray for each part.
+//
 // One object a tile; it owns nothing. Continuation rays carry the events they leave, so there is no epsilon anywhere.
-// Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984).
+// Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984); Amanatides, Ray Tracing with Cones (1984).
 #pragma once
 
 #include "tracer/light/bsdf.h"
+#include "tracer/light/clear.h"
 #include "tracer/light/direct.h"
 #include "tracer/light/sampler.h"
 #include "tracer/light/stage.h"
@@ -26,24 +29,32 @@ private:
         double weight = 1;
         double spread = 0;  // GGX alpha that rough mirrors on the way have blurred everything by
         bool sees_lights = true;
+        double wide = 0, widens = 0;  // cone tracing: radius where the ray starts, and by how much it grows a mm
+        Hues hues;
     };
 
     Vec3 follow(const Ray& ray, const Leaving* leaving, const Branch& branch);
+    CameraLight cone_light(const Ray& ray, double height, const FirstBorder& first);
+    Vec3 follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis);
+    Vec3 seen(const Ray& ray, const FirstBorder& first, const Branch& branch);
     Vec3 shade(const Ray& ray, const Border& border, const Branch& branch);
     Vec3 shade_as(const Surface& surface, const Ray& ray, const Border& border, const Branch& branch);
     Vec3 lit(const Surface& surface, const Border& border, const Bsdf& bsdf, const Branch& branch);
-    Vec3 sky(const Border& border, const Bsdf& bsdf, const Branch& branch);
+    Vec3 sky(const Surface& surface, const Border& border, const Bsdf& bsdf, const Branch& branch);
     Vec3 reflection(const Surface& surface, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
-    Vec3 through_clear(const Surface& surface, const Ray& ray, const Border& border, const Bsdf& bsdf, const Branch& branch);
+    Vec3 through_clear(const Surface& surface, const Ray& ray, const Border& border, const Branch& branch);
+    Vec3 through_rough(const Ray& ray, const Border& border, const Branch& onward);
     Vec3 straight_on(const Ray& ray, const Border& border, const Branch& branch);
     Vec2 lobe(const Branch& branch) const { return sampler_->pair(Draw::kLobe, static_cast<std::uint32_t>(branch.depth)); }
-    bool distributes() const { return stage_.integrator >= Integrator::kDistributed; }
+    bool distributes() const { return stage_.distributes(); }
+    bool cones() const { return stage_.integrator == Integrator::kCone; }
 
     const Stage& stage_;
     DirectLight direct_;
     Scratch& scratch_;
     RenderCounters& counters_;
     const Sampler* sampler_ = nullptr;
+    double time_ = 0;  // of the sample
 };
 
 }  // namespace whittle

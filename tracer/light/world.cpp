@@ -60,12 +60,21 @@ Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* sol
     }
     world.ranked_.resize(world.parts_.size());
     std::iota(world.ranked_.begin(), world.ranked_.end(), 0);
-    // Of equal priority: what is opaque shows in what is clear (a straw in water), then the author's order.
-    std::stable_sort(world.ranked_.begin(), world.ranked_.end(), [&](int a, int b) {
-        const Part &first = world.parts_[static_cast<std::size_t>(a)], &second = world.parts_[static_cast<std::size_t>(b)];
-        return first.priority != second.priority ? first.priority > second.priority : first.matter.clear() < second.matter.clear();
-    });
+    // Of equal priority: the author's order.
+    std::stable_sort(world.ranked_.begin(), world.ranked_.end(),
+                     [&](int a, int b) { return world.parts_[static_cast<std::size_t>(a)].priority > world.parts_[static_cast<std::size_t>(b)].priority; });
     return world;
+}
+
+Bounds World::focusing_bounds() const {
+    Bounds all;
+    for (const Part& part : parts_) {
+        if (!std::any_of(part.surfaces.begin(), part.surfaces.end(), [](const Surface& s) { return s.passes_on(); })) continue;
+        const Bounds own = program_bounds(*part.program);
+        if (own.empty()) continue;
+        all = all.empty() ? own : Bounds{glm::min(all.lo, own.lo), glm::max(all.hi, own.hi)};
+    }
+    return all;
 }
 
 int World::owner(std::uint32_t inside) const {

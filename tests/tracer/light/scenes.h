@@ -33,6 +33,12 @@ public:
         u.node = builder_.combine(op, std::move(operands));
         return u;
     }
+    // From where it stands to `end`, over the shutter.
+    Use moving(Use u, const Placement& end) {
+        u.motion = builder_.motion({Placement{}, end});
+        return u;
+    }
+    SolidBuilder& shapes() { return builder_; }
     void add(Use u) { parts_.push_back(u); }
     Solid finish() { return builder_.finish(combined(SetOp::kUnion, parts_)); }
 

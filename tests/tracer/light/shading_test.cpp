@@ -180,18 +180,42 @@ TEST_CASE("liquid in a glass: overlapping and touching walls give the same pictu
     CHECK(worst_gap > 0.05);
 }
 
-TEST_CASE("what is opaque shows inside of what is clear, unless the clear has priority") {
-    for (double priority : {0.0, 1.0}) {
+TEST_CASE("of a ball and a clear block that overlap the first in the text shows, unless priorities say otherwise") {
+    const auto green_seen = [](bool ball_first, double block_priority) {
         SceneBuilder b;
         Material clear = preset("glass");
         clear.ior = 1;
-        clear.priority = priority;
-        b.add(b.box(Vec3(-10), Vec3(10), clear));
-        b.add(b.ball(5, matte(1, 0, 0)));
+        clear.priority = block_priority;
+        const Use block = b.box(Vec3(-10), Vec3(10), clear), ball = b.ball(5, matte(1, 0, 0));
+        b.add(ball_first ? ball : block);
+        b.add(ball_first ? block : ball);
+        // Another red thing aside, written first: what is opaque is not one part.
+        b.add(b.box(Vec3(40, 0, 0), Vec3(41, 1, 1), matte(1, 0, 0)));
         const Vec3 seen = middle(drawn(b.finish(), seen_from(Vec3(0, -50, 0), {around(kWhite)}), with_odd_size()).film);
         CHECK(seen.x == Approx(1).epsilon(1e-6));
-        CHECK(seen.y == Approx(priority > 0 ? 1 : 0).margin(1e-6));
-    }
+        return seen.y;
+    };
+    CHECK(green_seen(true, 0) == Approx(0).margin(1e-6));
+    CHECK(green_seen(false, 0) == Approx(1));
+    CHECK(green_seen(true, 1) == Approx(1));
+    CHECK(green_seen(false, -1) == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("of two opaque things in a clear block the one written before it shows, the one after does not") {
+    SceneBuilder b;
+    Material clear = preset("glass");
+    clear.ior = 1;
+    b.add(b.ball(3, matte(1, 0, 0), moved(-6, 0, 0)));
+    b.add(b.box(Vec3(-10), Vec3(10), clear));
+    b.add(b.ball(3, matte(1, 0, 0), moved(6, 0, 0)));
+    const Solid solid = b.finish();
+    const auto green_at = [&](double x) {
+        RenderScene scene = seen_from(Vec3(x, -50, 0), {around(kWhite)});
+        scene.camera->target = Vec3(x, 0, 0);
+        return middle(drawn(solid, scene, with_odd_size()).film).y;
+    };
+    CHECK(green_at(-6) == Approx(0).margin(1e-6));
+    CHECK(green_at(6) == Approx(1));
 }
 
 TEST_CASE("a cutter's colour tints the face it cuts into glass, which stays glass") {

@@ -1,0 +1,99 @@
+#include "tracer/light/light_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "tracer/light/light_walk.h"
+
+namespace whittle {
+
+namespace {
+
+// Rays of one pass that one task follows.
+constexpr int kChunk = 2048;
+
+// Share of the photons in a search that the next pass keeps, in the mean (Knaus and Zwicker's alpha).
+constexpr double kKeep = 2.0 / 3;
+
+// First search radius, of the ball around what focuses.
+constexpr double kFirstRadius = 0.03;
+
+}  // namespace
+
+Vec3 LightPass::on_pixel(std::uint32_t pixel) const {
+    const auto less = [](const Splat& s, std::uint32_t p) { return s.pixel < p; };
+    Vec3 sum(0);
+    for (auto at = std::lower_bound(splats_.begin(), splats_.end(), pixel, less); at != splats_.end() && at->pixel == pixel; ++at) sum += at->light;
+    return sum;
+}
+
+struct LightPasses::Kept {
+    std::mutex mutex;
+    std::map<int, std::shared_ptr<const LightPass>> passes;
+    std::uint64_t rays = 0;
+
+    std::shared_ptr<const LightPass> find(int index) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        const auto found = passes.find(index);
+        return found == passes.end() ? nullptr : found->second;
+    }
+    void keep(int index, std::shared_ptr<const LightPass> pass, int sent) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!passes.emplace(index, std::move(pass)).second) return;
+        rays += static_cast<std::uint64_t>(sent);
+        // The oldest goes, never the one just asked for.
+        if (passes.size() > kKept) passes.erase(passes.begin()->first == index ? std::prev(passes.end()) : passes.begin());
+    }
+};
+
+LightPasses::LightPasses(const Stage& stage, int rays, Draws draws) : stage_(stage), rays_(rays), draws_(draws), kept_(std::make_unique<Kept>()) {}
+LightPasses::~LightPasses() = default;
+
+std::uint64_t LightPasses::rays_sent() const {
+    const std::lock_guard<std::mutex> lock(kept_->mutex);
+    return kept_->rays;
+}
+
+double LightPasses::radius(int index) const {
+    double r2 = 1;
+    for (int i = 1; i <= index; ++i) r2 *= (i + kKeep) / (i + 1);
+    return kFirstRadius * stage_.emission.reach() * std::sqrt(r2);
+}
+
+void LightPasses::make(int begin, int end) const {
+    for (int i = begin; i < std::min(end, begin + kKept); ++i) pass(i);
+}
+
+std::shared_ptr<const LightPass> LightPasses::pass(int index) const {
+    if (auto found = kept_->find(index)) return found;
+    // A thread that waits for its own chunks must not begin another tile, which would ask for the same pass.
+    std::shared_ptr<const LightPass> fresh;
+    tbb::this_task_arena::isolate([&] { fresh = made(index); });
+    kept_->keep(index, fresh, rays_);
+    return fresh;
+}
+
+std::shared_ptr<const LightPass> LightPasses::made(int index) const {
+    const int chunks = (rays_ + kChunk - 1) / kChunk;
+    std::vector<LightLeft> left(static_cast<std::size_t>(chunks));
+    tbb::parallel_for(0, chunks, [&](int c) {
+        LightWalker walker(stage_, index, rays_, draws_ == Draws::kOntoPicture);
+        for (int ray = c * kChunk; ray < std::min(rays_, (c + 1) * kChunk); ++ray) walker.walk(ray, left[static_cast<std::size_t>(c)]);
+    });
+    std::vector<Photon> photons;
+    std::vector<Splat> splats;
+    for (const LightLeft& part : left) {
+        photons.insert(photons.end(), part.photons.begin(), part.photons.end());
+        splats.insert(splats.end(), part.splats.begin(), part.splats.end());
+    }
+    std::stable_sort(splats.begin(), splats.end(), [](const Splat& a, const Splat& b) { return a.pixel < b.pixel; });
+    return std::make_shared<LightPass>(PhotonMap(std::move(photons), radius(index)), std::move(splats), draws_ == Draws::kOntoPicture);
+}
+
+}  // namespace whittle

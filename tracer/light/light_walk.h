@@ -1,0 +1,50 @@
+// light_walk.h — one ray of light from a lamp through mirrors and clear matter to the first dull surface.
+#pragma once
+
+#include "tracer/light/clear.h"
+#include "tracer/light/direct.h"
+#include "tracer/light/light_pass.h"
+
+namespace whittle {
+
+// What rays left behind.
+struct LightLeft {
+    std::vector<Photon> photons;
+    std::vector<Splat> splats;
+};
+
+// The time within the shutter of light pass `index`: the same for its photons and for all eyes that come by.
+double time_of_pass(const Stage& stage, int index);
+
+class LightWalker {
+public:
+    // Of the `rays` rays of pass `index`. With `on_picture` what they leave is drawn onto the picture too.
+    LightWalker(const Stage& stage, int index, int rays, bool on_picture);
+    void walk(int ray, LightLeft& left);
+
+private:
+    struct Beam {
+        Ray ray;
+        Leaving leaving;
+        bool departs = false;
+        Vec3 power{0};
+        double first = 0;  // brightness at the lamp
+        Hues hues;
+        int bounce = 0;
+        int covers = 0;
+        bool focused = false;  // met a mirror or clear matter
+    };
+    bool step(Beam& beam, const Sampler& sampler, LightLeft& left);
+    bool scatter(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
+    void leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
+    void draw(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
+
+    const Stage& stage_;
+    int index_, rays_;
+    bool on_picture_;
+    Scratch scratch_;
+    RenderCounters counters_;
+    DirectLight direct_;
+};
+
+}  // namespace whittle
