@@ -199,7 +199,7 @@ TEST_CASE("a PNG of any content comes back bit by bit, without the module to wri
             for (int i = 0; i < width * height * 3; ++i) {
                 state = state * 1664525U + 1013904223U;
                 const std::uint32_t noise = state >> 24;
-                const std::uint32_t value = kind == 0 ? 0U : kind == 1 ? noise : kind == 2 ? static_cast<std::uint32_t>(i / 7) : kind == 3 ? (noise > 250 ? noise : 17U) : static_cast<std::uint32_t>(i * i / 3000);
+                const std::uint32_t value = kind == 0 ? 0U : kind == 1 ? noise : kind == 2 ? static_cast<std::uint32_t>(i / 7) : kind == 3 ? (noise > 250 ? noise : 17U) : static_cast<std::uint32_t>(i) * static_cast<std::uint32_t>(i) / 3000;
                 image.bytes.push_back(static_cast<std::uint8_t>(value));
             }
             ImageFiles writer(folder.path);
