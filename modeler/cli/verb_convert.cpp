@@ -6,6 +6,7 @@
 
 #include "csg/eval/dump_csg.h"
 #include "csg/eval/evaluate.h"
+#include "modeler/cli/job_export.h"
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/job_render.h"
 #include "modeler/cli/verbs.h"
@@ -14,7 +15,7 @@ namespace whittle {
 
 namespace {
 
-enum class Job { kPicture, kMesh, kCsg, kEcho, kNotYet, kUnknown };
+enum class Job { kPicture, kMesh, kScene, kDrawing, kCsg, kEcho, kNotYet, kUnknown };
 
 std::string format_of(const std::string& path, const std::string& format_name) {
     std::string format = format_name;
@@ -31,9 +32,11 @@ Job job_of(const std::string& format) {
     const auto among = [&format](std::initializer_list<const char*> names) { return std::find(names.begin(), names.end(), format) != names.end(); };
     if (among({"png", "exr", "jpg", "jpeg", "tif", "tiff"})) return Job::kPicture;
     if (among({"stl", "asciistl", "binstl", "off", "obj", "ply"})) return Job::kMesh;
+    if (is_scene_format(format)) return Job::kScene;
+    if (is_drawing_format(format)) return Job::kDrawing;
     if (format == "csg") return Job::kCsg;
     if (format == "echo") return Job::kEcho;
-    if (among({"3mf", "amf", "nef3", "nefdbg", "svg", "dxf", "pdf", "ast", "param", "term", "pov", "wrl"})) return Job::kNotYet;
+    if (among({"3mf", "amf", "nef3", "nefdbg", "ast", "param", "term", "wrl"})) return Job::kNotYet;
     return Job::kUnknown;
 }
 
@@ -55,7 +58,7 @@ Exit write_csg(Session& session, const std::string& path) {
 }
 
 Exit refuse(Session& session, const std::string& path, Job job) {
-    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply csg echo";
+    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply svg dxf pdf pov csg echo";
     return give_up(session, {Fault::kCommand, fmt::format("'{}': {}", path, why)});
 }
 
@@ -65,16 +68,21 @@ Exit run_convert(Session& session) {
     const Request& request = session.request;
     std::vector<std::string> pictures, meshes;
     std::vector<std::pair<std::string, Job>> texts;
+    std::vector<std::pair<std::string, std::string>> scenes, drawings;
     for (const auto& path : request.outputs) {
         const Job job = job_of(format_of(path, request.export_format));
         if (job == Job::kNotYet || job == Job::kUnknown) return refuse(session, path, job);
-        if (job == Job::kPicture) pictures.push_back(path);
+        if (job == Job::kScene) scenes.emplace_back(path, format_of(path, request.export_format));
+        else if (job == Job::kDrawing) drawings.emplace_back(path, format_of(path, request.export_format));
+        else if (job == Job::kPicture) pictures.push_back(path);
         else if (job == Job::kMesh) meshes.push_back(path);
         else texts.emplace_back(path, job);
     }
     Exit done = Exit::kDone;
     for (const auto& [path, job] : texts) done = worse(done, job == Job::kCsg ? write_csg(session, path) : write_echo(session, path));
     if (!meshes.empty()) done = worse(done, mesh_outputs(session, meshes, request.mesh.encoding != MeshEncoding::kBinary));
+    for (const auto& exports : {scenes, drawings})
+        if (!exports.empty()) done = worse(done, export_outputs(session, exports));
     const bool modifiers = request.render.options.integrator == Integrator::kPreview;
     if (!pictures.empty()) done = worse(done, render_outputs(session, pictures, {!request.full_render, modifiers}));
     return done;

@@ -1,0 +1,227 @@
+#include "modeler/export/pov.h"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "csg/base/degrees.h"
+#include "csg/solid/facets.h"
+#include "csg/solid/polyhedron.h"
+#include "modeler/export/number_text.h"
+#include "modeler/export/pov_shapes.h"
+#include "tracer/image/tone.h"
+#include "tracer/light/lights.h"
+#include "tracer/light/surface.h"
+#include "tracer/light/surroundings.h"
+
+namespace whittle {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string rgb(const Vec3& c) { return "rgb " + pov_vector(c); }
+
+// Diffuse, gloss, mirror and glass as POV-Ray knows them.
+std::string texture_of(const Surface& s) {
+    const double diffuse = (1 - s.metal) * (1 - s.transmission);
+    const std::string see = s.clear() ? " filter " + shortest(s.transmission) : s.coverage < 1 ? " transmit " + shortest(1 - s.coverage) : "";
+    std::string finish = "diffuse " + shortest(diffuse);
+    if (s.emits()) finish += " emission " + rgb(s.emission);
+    if (s.metal > 0) finish += " metallic reflection{" + shortest(s.metal) + " metallic} ambient 0";
+    else if (s.clear()) finish += " reflection{0,1 fresnel on} conserve_energy";
+    else if (!s.sharp()) finish += " specular " + shortest(s.dielectric_f0) + " roughness " + shortest(std::max(s.alpha * s.alpha, 5e-4));
+    std::string out = " texture{pigment{" + rgb(s.color) + see + "} finish{" + finish + "}}";
+    if (s.clear()) out += " interior{ior " + shortest(s.ior) + "}";
+    return out;
+}
+
+class PovWriter {
+public:
+    PovWriter(const Solid& solid, const MeshOptions& mesh, PovFile& file) : solid_(solid), mesh_options_(mesh), file_(file) {}
+
+    Result<void> write() {
+        const auto root = object(solid_.root(), Material{}, false);
+        if (!root) return tl::unexpected(root.error());
+        file_.text += *root + "\n";
+        if (meshes_ > 0)
+            file_.warnings.push_back(fmt::format("{} extrusions or revolutions have no counterpart in POV-Ray, written as meshes", meshes_));
+        return {};
+    }
+
+private:
+    // "object{n7 matrix<...>}" after its declaration.
+    Result<std::string> object(const Use& use, const Material& outer, bool cuts) {
+        const Material material = use.label == kNoLabel ? outer : nested(outer, solid_.label(use.label).material);
+        const auto name = declared(use.node, material, cuts);
+        if (!name) return name;
+        Placement placement = use.placement;
+        if (use.motion != 0) placement = placement * solid_.motion(use.motion).start;
+        return "object{" + *name + pov_matrix(placement) + "}";
+    }
+
+    Result<std::string> declared(NodeId node, const Material& material, bool cuts) {
+        const std::size_t paint = paint_of(material);
+        const auto key = std::tuple(node, paint, cuts);
+        if (const auto known = names_.find(key); known != names_.end()) return known->second;
+        const auto* shape = std::get_if<Shape>(&solid_.node(node));
+        auto body = shape ? leaf(node, *shape) : combination(std::get<Combination>(solid_.node(node)), material, cuts);
+        if (!body) return body;
+        if (shape && !(cuts && !material.names_surface())) {
+            const auto surface = resolve_surface(material);
+            if (!surface) return tl::unexpected(surface.error());
+            *body += texture_of(*surface);
+        }
+        return names_[key] = declare(*body + "}");
+    }
+
+    std::string declare(const std::string& body) {
+        const std::string name = "N" + std::to_string(declared_++);
+        file_.text += "#declare " + name + "=" + body + "\n";
+        return name;
+    }
+
+    std::size_t paint_of(const Material& material) {
+        for (std::size_t i = 0; i < materials_.size(); ++i)
+            if (materials_[i] == material) return i;
+        materials_.push_back(material);
+        return materials_.size() - 1;
+    }
+
+    Result<std::string> combination(const Combination& c, const Material& material, bool cuts) {
+        std::string out = c.op == SetOp::kUnion ? "merge{" : c.op == SetOp::kIntersection ? "intersection{" : "difference{";
+        for (std::size_t i = 0; i < c.operands.size(); ++i) {
+            const auto operand = object(c.operands[i], material, c.op == SetOp::kDifference && i > 0 ? !cuts : cuts);
+            if (!operand) return operand;
+            out += (i > 0 ? " " : "") + *operand;
+        }
+        return c.op == SetOp::kDifference ? out + " cutaway_textures" : out;
+    }
+
+    Result<std::string> leaf(NodeId node, const Shape& shape) {
+        if (auto direct = pov_shape(shape)) return *direct;
+        if (const auto* e = std::get_if<shape::Extrusion>(&shape); e && e->twist_deg == 0 && e->scale_top == Vec2(1))
+            if (auto raised = raised_set(e->profile, *e)) return "object{" + declare(*raised + "}");
+        if (const auto* r = std::get_if<shape::Revolution>(&shape); r && r->fragments == 0)
+            if (auto turned = turned_set(r->profile, {})) return "object{" + in_wedge(declare(*turned + "}"), *r);
+        return mesh(node);
+    }
+
+    // Extruding commutes with set operations and with placements in the plane.
+    std::optional<std::string> raised_set(NodeId node, const shape::Extrusion& e) {
+        if (const auto* shape = std::get_if<Shape>(&solid_.node(node))) return pov_raised(*shape, e.z0, e.z1);
+        return flat_set(std::get<Combination>(solid_.node(node)), [&](const Use& use) -> std::optional<std::string> {
+            const auto body = raised_set(use.node, e);
+            if (!body) return std::nullopt;
+            return *body + pov_matrix(use.placement);
+        });
+    }
+    // Turning commutes with set operations beside the axis.
+    std::optional<std::string> turned_set(NodeId node, const Placement& placement) {
+        if (const auto* shape = std::get_if<Shape>(&solid_.node(node))) return pov_turned(*shape, placement);
+        return flat_set(std::get<Combination>(solid_.node(node)), [&](const Use& use) { return turned_set(use.node, placement * use.placement); });
+    }
+    template <class Operand>
+    std::optional<std::string> flat_set(const Combination& c, Operand operand) {
+        std::string out = c.op == SetOp::kUnion ? "merge{" : c.op == SetOp::kIntersection ? "intersection{" : "difference{";
+        for (const Use& use : c.operands) {
+            const auto body = operand(use);
+            if (!body) return std::nullopt;
+            out += *body + "} ";
+        }
+        return out;
+    }
+
+    std::string in_wedge(const std::string& name, const shape::Revolution& r) {
+        if (r.angle_deg >= 360) return name;
+        const double end = r.start_deg + r.angle_deg;
+        const std::string from = "plane{" + pov_vector(Vec3(sind(r.start_deg), -cosd(r.start_deg), 0)) + ",0}", to = "plane{" + pov_vector(Vec3(-sind(end), cosd(end), 0)) + ",0}";
+        const std::string wedge = r.angle_deg <= 180 ? "intersection{" + from + " " + to + "}" : "merge{" + from + " " + to + "}";
+        return declare("intersection{object{" + name + "} " + wedge + "}");
+    }
+
+    Result<std::string> mesh(NodeId node) {
+        if (const auto facets = facets_of(solid_, node)) {
+            std::vector<Triangle> triangles;
+            for (const auto& facet : facets->facets)
+                for (const auto& t : triangulated(*facets, facet)) triangles.push_back({t[0], t[1], t[2]});
+            return pov_mesh(facets->points, triangles);
+        }
+        MeshControl control;
+        Use use;
+        use.node = node;
+        const auto made = mesh_use(solid_, use, mesh_options_, control);
+        if (!made) return tl::unexpected(made.error());
+        ++meshes_;
+        return pov_mesh(made->mesh.points, made->mesh.triangles);
+    }
+
+    const Solid& solid_;
+    const MeshOptions& mesh_options_;
+    PovFile& file_;
+    std::map<std::tuple<NodeId, std::size_t, bool>, std::string> names_;
+    std::vector<Material> materials_;
+    std::size_t declared_ = 0, meshes_ = 0;
+};
+
+// POV-Ray's diffuse reflection leaves out the 1/pi.
+std::string light_text(const PointLight& light, const Vec3& centre) {
+    const LightSource source = resolve_light(light, centre);
+    // Its fading is 2 / (1 + (d / f)^2): for a tiny f the inverse square. A sphere's radiance counts by its disc.
+    constexpr double kFade = 1e-3;
+    const Vec3 intensity = source.radius > 0 ? source.emitted * (kPi * source.radius * source.radius) : source.emitted;
+    std::string out = "light_source{" + pov_vector(light.p) + " " + rgb(intensity / (2 * kFade * kFade * kPi)) + " fade_distance " + shortest(kFade) + " fade_power 2";
+    if (source.radius > 0) out += " area_light " + shortest(2 * source.radius) + "*x," + shortest(2 * source.radius) + "*y,5,5 adaptive 2 jitter circular orient";
+    return out + "}\n";
+}
+std::string sun_text(const Vec3& towards, const Vec3& irradiance, bool shadows) {
+    constexpr double kFar = 1e7;
+    return "light_source{" + pov_vector(towards * kFar) + " " + rgb(irradiance / kPi) + " parallel point_at 0" + (shadows ? "" : " shadowless") + "}\n";
+}
+std::string light_text(const AreaLight& light, const Vec3& centre) {
+    const LightSource source = resolve_light(light, centre);
+    return "light_source{" + pov_vector(light.p + (light.u + light.v) / 2.0) + " " + rgb(source.emitted * (source.area / (2e-6 * kPi))) + " fade_distance 1e-3 fade_power 2 area_light " +
+           pov_vector(light.u) + "," + pov_vector(light.v) + ",5,5 adaptive 2 jitter}\n";
+}
+
+std::string lamps_text(const std::vector<Light>& lights, const Lens& lens, const Vec3& centre) {
+    std::string out;
+    Vec3 around(0);
+    for (const Light& light : lights) {
+        if (const auto* l = std::get_if<PointLight>(&light.what)) out += light_text(*l, centre);
+        if (const auto* l = std::get_if<AreaLight>(&light.what)) out += light_text(*l, centre);
+        if (const auto* l = std::get_if<SunLight>(&light.what)) {
+            const LightSource sun = resolve_light(*l);
+            out += sun_text(sun.p, sun.emitted, true);
+        }
+        if (const auto* l = std::get_if<EnvironmentLight>(&light.what)) around += srgb_to_linear(l->color) * l->intensity;
+    }
+    if (lights.empty()) {
+        for (const LightSource& lamp : studio_lamps(lens)) out += sun_text(lamp.p, lamp.emitted, lamp.casts_shadow);
+        around = Vec3(0.26);  // the mean of the studio's sky and floor
+    }
+    return "global_settings{assumed_gamma 1 max_trace_level 16 ambient_light " + rgb(around) + "}\n#default{finish{ambient 1}}\nbackground{" + rgb(around) + "}\n" + out;
+}
+
+std::string camera_text(const Lens& lens, double aspect) {
+    const double height = 2 * lens.half_height;
+    std::string out = lens.orthographic ? "camera{orthographic" : "camera{perspective";
+    out += " location " + pov_vector(lens.eye) + " direction " + pov_vector(lens.forward) + " right " + pov_vector(lens.right * (height * aspect)) + " up " + pov_vector(lens.up * height);
+    if (lens.aperture > 0 && !lens.orthographic)
+        out += " aperture " + shortest(lens.aperture) + " focal_point " + pov_vector(lens.eye + lens.forward * lens.focus) + " blur_samples 64 variance 0";
+    return out + "}\n";
+}
+
+}  // namespace
+
+Result<PovFile> pov_scene(const Solid& solid, const std::vector<Light>& lights, const Lens& lens, double aspect, const MeshOptions& mesh) {
+    PovFile file;
+    const Bounds box = solid.root_bounds();
+    file.text = "// Whittle: a scene for POV-Ray 3.7, lengths in millimetres; render with +W and +H of the camera's aspect.\n#version 3.7;\n";
+    file.text += lamps_text(lights, lens, box.empty() ? Vec3(0) : (box.lo + box.hi) / 2.0) + camera_text(lens, aspect);
+    if (auto written = PovWriter(solid, mesh, file).write(); !written) return tl::unexpected(written.error());
+    return file;
+}
+
+}  // namespace whittle
