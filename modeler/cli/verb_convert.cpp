@@ -31,12 +31,12 @@ std::string format_of(const std::string& path, const std::string& format_name) {
 Job job_of(const std::string& format) {
     const auto among = [&format](std::initializer_list<const char*> names) { return std::find(names.begin(), names.end(), format) != names.end(); };
     if (among({"png", "exr", "jpg", "jpeg", "tif", "tiff"})) return Job::kPicture;
-    if (among({"stl", "asciistl", "binstl", "off", "obj", "ply"})) return Job::kMesh;
+    if (among({"stl", "asciistl", "binstl", "off", "obj", "ply", "3mf", "amf", "glb", "om"})) return Job::kMesh;
     if (is_scene_format(format)) return Job::kScene;
     if (is_drawing_format(format)) return Job::kDrawing;
     if (format == "csg") return Job::kCsg;
     if (format == "echo") return Job::kEcho;
-    if (among({"3mf", "amf", "nef3", "nefdbg", "ast", "param", "term", "wrl"})) return Job::kNotYet;
+    if (among({"nef3", "nefdbg", "ast", "param", "term", "wrl"})) return Job::kNotYet;
     return Job::kUnknown;
 }
 
@@ -58,7 +58,7 @@ Exit write_csg(Session& session, const std::string& path) {
 }
 
 Exit refuse(Session& session, const std::string& path, Job job) {
-    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply svg dxf pdf pov csg echo";
+    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply 3mf amf glb om svg dxf pdf pov csg echo";
     return give_up(session, {Fault::kCommand, fmt::format("'{}': {}", path, why)});
 }
 

@@ -1,6 +1,10 @@
 // verb_mesh.cpp — whittle mesh: scene → solid → closed triangle mesh → files.
+#include <filesystem>
+#include <memory>
+
 #include <fmt/core.h>
 
+#include "csg/solid/part_solids.h"
 #include "modeler/cli/answers.h"
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/progress.h"
@@ -65,12 +69,84 @@ void answer(Session& session, const Output& output, const MeshFile& file) {
     }
 }
 
-Result<void> write_one(Session& session, const MeshResult& mesh, const Output& output) {
-    const auto file = write_mesh(mesh, output.format);
+constexpr std::string_view kPartMark = "{part}";
+
+// "box-{part}.stl" for a part; what no file name can hold becomes '_'.
+std::string path_of_part(std::string path, const std::string& name) {
+    std::string safe = name.empty() ? "rest" : name;
+    for (char& c : safe)
+        if (c == '/' || static_cast<unsigned char>(c) < 0x20) c = '_';
+    for (std::size_t at = path.find(kPartMark); at != std::string::npos; at = path.find(kPartMark, at + safe.size())) path.replace(at, kPartMark.size(), safe);
+    return path;
+}
+
+// The solid as one mesh and as a mesh a part, each made when an output first asks for it.
+class Meshes {
+public:
+    Meshes(Session& session, const Solid& solid) : session_(session), solid_(solid) {}
+
+    Result<std::vector<MeshPart>> whole() {
+        if (!whole_) whole_ = make_mesh(session_, solid_);
+        if (!*whole_) return tl::unexpected<Error>(whole_->error());
+        return std::vector<MeshPart>{{"", &**whole_}};
+    }
+
+    Result<std::vector<MeshPart>> parts() {
+        if (!divided_) {
+            named_ = divided_by_part(solid_);
+            divided_ = true;
+        }
+        if (named_.size() <= 1) {
+            auto single = whole();
+            if (single && !named_.empty()) single->front().name = named_.front().name;
+            return single;
+        }
+        while (made_.size() < named_.size()) {
+            auto mesh = make_mesh(session_, named_[made_.size()].solid);
+            if (!mesh) return tl::unexpected<Error>(mesh.error());
+            made_.push_back(std::make_unique<MeshResult>(std::move(*mesh)));
+        }
+        std::vector<MeshPart> parts;
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!made_[i]->mesh.triangles.empty()) parts.push_back({named_[i].name, made_[i].get()});
+        if (parts.empty()) return fail(Fault::kScene, "Current top level object is empty.");
+        return parts;
+    }
+
+private:
+    Session& session_;
+    const Solid& solid_;
+    bool divided_ = false;
+    std::optional<Result<MeshResult>> whole_;
+    std::vector<NamedSolid> named_;
+    std::vector<std::unique_ptr<MeshResult>> made_;
+};
+
+// An OBJ with colours names a file of materials beside it.
+std::string materials_path(const Output& output) {
+    if (output.format != MeshFormat::kObj || output.path == "-") return {};
+    return std::filesystem::path(output.path).replace_extension(".mtl").string();
+}
+
+Result<void> write_one(Session& session, const std::vector<MeshPart>& parts, const Output& output) {
+    const std::string materials = materials_path(output);
+    const auto file = write_mesh(parts, output.format, std::filesystem::path(materials).filename().string());
     if (!file) return tl::unexpected<Error>(file.error());
     for (const auto& warning : file->warnings) session.console.warning(warning);
+    if (!file->materials.empty())
+        if (auto written = write_output(materials, file->materials); !written) return written;
     if (auto written = write_output(output.path, file->bytes); !written) return written;
     answer(session, output, *file);
+    return {};
+}
+
+Result<void> write_output_of(Session& session, Meshes& meshes, const Output& output) {
+    const bool file_a_part = output.path.find(kPartMark) != std::string::npos;
+    const auto parts = file_a_part || holds_parts(output.format) ? meshes.parts() : meshes.whole();
+    if (!parts) return tl::unexpected<Error>(parts.error());
+    if (!file_a_part) return write_one(session, *parts, output);
+    for (const MeshPart& part : *parts)
+        if (auto written = write_one(session, {part}, {path_of_part(output.path, part.name), output.format}); !written) return written;
     return {};
 }
 
@@ -97,10 +173,9 @@ Exit mesh_outputs(Session& session, const std::vector<std::string>& paths, bool 
     if (!outputs) return give_up(session, outputs.error());
     const auto scene = read_whole_solid(session);
     if (!scene) return give_up(session, scene.error());
-    const auto mesh = make_mesh(session, scene->canonical.solid);
-    if (!mesh) return give_up(session, mesh.error());
+    Meshes meshes(session, scene->canonical.solid);
     for (const auto& output : *outputs)
-        if (auto written = write_one(session, *mesh, output); !written) return give_up(session, written.error());
+        if (auto written = write_output_of(session, meshes, output); !written) return give_up(session, written.error());
     return scene->verdict;
 }
 

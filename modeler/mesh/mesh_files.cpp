@@ -1,56 +1,20 @@
-// mesh_files.cpp — writers. Numbers are printed by std::to_chars: the shortest text that reads back to the same bits, in every locale.
+// mesh_files.cpp — STL, OFF, OBJ and PLY, and the choice of a writer.
 #include "modeler/mesh/mesh_files.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "modeler/mesh/file_text.h"
 #include "modeler/mesh/paint.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary formats are written in the machine's order");
-
-class Text {
-public:
-    void add(std::string_view s) { bytes_ += s; }
-    void add(double x) { put(x + 0.0); }  // no -0
-    void add(float x) { put(x + 0.0F); }
-    void add(std::uint32_t x) { put(x); }
-    template <class... Rest>
-    void line(const Rest&... rest) {
-        (add(rest), ...);
-        bytes_ += '\n';
-    }
-    template <class T>
-    void raw(const T& x) { bytes_.append(reinterpret_cast<const char*>(&x), sizeof x); }
-    std::string take() { return std::move(bytes_); }
-
-private:
-    template <class T>
-    void put(T x) {
-        std::array<char, 32> buffer;
-        const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
-        bytes_.append(buffer.data(), end);
-    }
-    std::string bytes_;
-};
-
-// The mesh in float32, equal points joined again.
-Mesh in_single_precision(const Mesh& mesh) {
-    Mesh out = mesh;
-    for (Vec3& p : out.points) p = Vec3(glm::vec3(p));
-    weld(out);
-    remove_flat_triangles(out);
-    return out;
-}
+using Text = FileText;
 
 glm::vec3 facet_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const Vec3 n = glm::cross(Vec3(b) - Vec3(a), Vec3(c) - Vec3(a));
@@ -90,33 +54,9 @@ std::string stl_ascii(const Mesh& mesh) {
     return out.take();
 }
 
-// The colour of each triangle as bytes; nothing where the author named none at all.
-class Colours {
-public:
-    explicit Colours(const MeshResult& result) : result_(result) {
-        for (const MeshLeaf& leaf : result.leaves) any_ = any_ || leaf.material.color;
-        any_ = any_ && !result.mesh.leaf.empty();
-        if (any_) paint_ = painting_leaves(result);
-    }
-    bool any() const { return any_; }
-    std::array<std::uint8_t, 4> of(std::size_t triangle) const {
-        constexpr Vec4 kUnnamed{0.976, 0.843, 0.173, 1};  // OpenSCAD's yellow
-        const auto& color = result_.leaves[paint_[triangle]].material.color;
-        const Vec4 c = glm::clamp(color.value_or(kUnnamed), 0.0, 1.0);
-        std::array<std::uint8_t, 4> bytes{};
-        for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(c[i] * 255));
-        return bytes;
-    }
-
-private:
-    const MeshResult& result_;
-    std::vector<std::uint32_t> paint_;
-    bool any_ = false;
-};
-
 std::string off(const MeshResult& result) {
-    const Mesh& mesh = result.mesh;
-    const Colours colours(result);
+    const Mesh mesh = with_own_points(result.mesh);
+    const FileColors colours(result);
     Text out;
     out.line("OFF");
     out.line(static_cast<std::uint32_t>(mesh.points.size()), " ", static_cast<std::uint32_t>(mesh.triangles.size()), " 0");
@@ -136,17 +76,44 @@ std::string off(const MeshResult& result) {
     return out.take();
 }
 
-std::string obj(const MeshResult& result) {
-    Text out;
+std::string material_of(const FileColors::Bytes& c, std::vector<FileColors::Bytes>& known, Text& library) {
+    const std::string name = fmt::format("color_{:02x}{:02x}{:02x}{:02x}", c[0], c[1], c[2], c[3]);
+    if (std::find(known.begin(), known.end(), c) != known.end()) return name;
+    known.push_back(c);
+    library.line("newmtl ", name, "\nKd ", c[0] / 255.0, " ", c[1] / 255.0, " ", c[2] / 255.0, "\nd ", c[3] / 255.0);
+    return name;
+}
+
+// An object a part; a material a colour, in the file beside it.
+std::string obj(const std::vector<MeshPart>& parts, const std::string& materials_name, std::string& materials) {
+    Text out, library;
     out.line("# Whittle, millimetres");
-    for (const Vec3& p : result.mesh.points) out.line("v ", p.x, " ", p.y, " ", p.z);
-    for (const Triangle& t : result.mesh.triangles) out.line("f ", t[0] + 1, " ", t[1] + 1, " ", t[2] + 1);
+    std::vector<FileColors::Bytes> known;
+    std::uint32_t first = 1;
+    for (const MeshPart& part : parts) {
+        const FileColors colors(*part.result);
+        if (colors.any() && !materials_name.empty() && known.empty()) out.line("mtllib ", materials_name);
+        if (!part.name.empty()) out.line("o ", part.name);
+        const Mesh mesh = with_own_points(part.result->mesh);
+        for (const Vec3& p : mesh.points) out.line("v ", p.x, " ", p.y, " ", p.z);
+        std::uint32_t current = 0xFFFFFFFF;
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            if (colors.any() && !materials_name.empty() && colors.number_of(i) != current) {
+                current = colors.number_of(i);
+                out.line("usemtl ", material_of(colors.of(i), known, library));
+            }
+            const Triangle& t = mesh.triangles[i];
+            out.line("f ", t[0] + first, " ", t[1] + first, " ", t[2] + first);
+        }
+        first += static_cast<std::uint32_t>(mesh.points.size());
+    }
+    materials = library.take();
     return out.take();
 }
 
 std::string ply(const MeshResult& result) {
-    const Mesh& mesh = result.mesh;
-    const Colours colours(result);
+    const Mesh mesh = with_own_points(result.mesh);
+    const FileColors colours(result);
     Text out;
     out.line("ply");
     out.line("format binary_little_endian 1.0");
@@ -187,28 +154,94 @@ std::string lower_suffix(std::string_view path) {
 
 }  // namespace
 
-Result<MeshFormat> mesh_format(std::string_view path, bool ascii) {
-    const std::string suffix = lower_suffix(path);
-    if (suffix == "stl") return ascii ? MeshFormat::kStlAscii : MeshFormat::kStlBinary;
-    if (suffix == "off") return MeshFormat::kOff;
-    if (suffix == "obj") return MeshFormat::kObj;
-    if (suffix == "ply") return MeshFormat::kPly;
-    return fail(Fault::kCommand, fmt::format("{}: unknown mesh format '{}' (stl, off, obj, ply)", path, suffix));
+FileColors::FileColors(const MeshResult& result) {
+    bool any = false;
+    for (const MeshLeaf& leaf : result.leaves) any = any || leaf.material.color;
+    if (!any || result.mesh.leaf.empty()) return;
+    constexpr Vec4 kUnnamed{0.976, 0.843, 0.173, 1};  // OpenSCAD's yellow
+    for (const std::uint32_t leaf : painting_leaves(result)) {
+        const Vec4 color = glm::clamp(result.leaves[leaf].material.color.value_or(kUnnamed), 0.0, 1.0);
+        Bytes bytes{};
+        for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(color[i] * 255));
+        const auto found = std::find(palette_.begin(), palette_.end(), bytes);
+        numbers_.push_back(static_cast<std::uint32_t>(found - palette_.begin()));
+        if (found == palette_.end()) palette_.push_back(bytes);
+    }
 }
 
-Result<MeshFile> write_mesh(const MeshResult& result, MeshFormat format) {
-    if (result.mesh.triangles.empty()) return fail(Fault::kScene, "Current top level object is empty.");
+Mesh in_single_precision(const Mesh& mesh) {
+    Mesh out = mesh;
+    for (Vec3& p : out.points) p = Vec3(glm::vec3(p));
+    weld(out);
+    remove_flat_triangles(out);
+    return out;
+}
+
+namespace {
+
+struct Suffix { std::string_view name; MeshFormat format; };
+constexpr Suffix kSuffixes[] = {{"stl", MeshFormat::kStlBinary}, {"off", MeshFormat::kOff}, {"obj", MeshFormat::kObj}, {"ply", MeshFormat::kPly},
+                                {"3mf", MeshFormat::k3mf},       {"amf", MeshFormat::kAmf}, {"glb", MeshFormat::kGlb}, {"om", MeshFormat::kOm}};
+
+// What is wrong with any of the parts.
+MeshReport report_of(const std::vector<MeshPart>& parts) {
+    MeshReport sum = parts.front().result->report;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const MeshReport& r = parts[i].result->report;
+        sum.triangles += r.triangles, sum.vertices += r.vertices, sum.components += r.components, sum.genus += r.genus;
+        sum.open_edges += r.open_edges, sum.shared_edges += r.shared_edges, sum.degenerate += r.degenerate, sum.duplicate += r.duplicate;
+    }
+    return sum;
+}
+
+std::string bytes_of(const std::vector<MeshPart>& parts, MeshFormat format, const std::string& materials_name, std::string& materials) {
+    const MeshResult& first = *parts.front().result;
+    switch (format) {
+        case MeshFormat::kOff: return off(first);
+        case MeshFormat::kObj: return obj(parts, materials_name, materials);
+        case MeshFormat::kPly: return ply(first);
+        case MeshFormat::k3mf: return write_3mf(parts);
+        case MeshFormat::kAmf: return write_amf(parts);
+        case MeshFormat::kGlb: return write_glb(parts);
+        case MeshFormat::kOm: return write_om(first);
+        case MeshFormat::kStlBinary:
+        case MeshFormat::kStlAscii: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+bool holds_parts(MeshFormat format) {
+    return format == MeshFormat::k3mf || format == MeshFormat::kAmf || format == MeshFormat::kGlb || format == MeshFormat::kObj;
+}
+
+Result<MeshFormat> mesh_format(std::string_view path, bool ascii) {
+    const std::string suffix = lower_suffix(path);
+    std::string known;
+    for (const Suffix& s : kSuffixes) {
+        if (suffix == s.name) return s.format == MeshFormat::kStlBinary && ascii ? MeshFormat::kStlAscii : s.format;
+        known += (known.empty() ? "" : ", ") + std::string(s.name);
+    }
+    return fail(Fault::kCommand, fmt::format("{}: unknown mesh format '{}' ({})", path, suffix, known));
+}
+
+Result<MeshFile> write_mesh(const std::vector<MeshPart>& parts, MeshFormat format, const std::string& materials_name) {
+    if (std::all_of(parts.begin(), parts.end(), [](const MeshPart& p) { return p.result->mesh.triangles.empty(); }))
+        return fail(Fault::kScene, "Current top level object is empty.");
     MeshFile file;
     if (format == MeshFormat::kStlBinary || format == MeshFormat::kStlAscii) {
-        const Mesh mesh = in_single_precision(result.mesh);
+        const Mesh mesh = in_single_precision(parts.front().result->mesh);
         file.report = report_mesh(mesh);
         file.bytes = format == MeshFormat::kStlBinary ? stl_binary(mesh) : stl_ascii(mesh);
     } else {
-        file.report = result.report;
-        file.bytes = format == MeshFormat::kOff ? off(result) : format == MeshFormat::kObj ? obj(result) : ply(result);
+        file.report = report_of(parts);
+        file.bytes = bytes_of(parts, format, materials_name, file.materials);
     }
     warn(file);
     return file;
 }
+
+Result<MeshFile> write_mesh(const MeshResult& result, MeshFormat format) { return write_mesh({MeshPart{{}, &result}}, format); }
 
 }  // namespace whittle
