@@ -25,6 +25,44 @@ Shape upright(const SolidBuilder& builder, const shape::Extrusion& e) {
     return e;
 }
 
+bool has_discs(const SolidBuilder& builder, NodeId id) {
+    if (const auto* c = std::get_if<Combination>(&builder.node(id)))
+        return std::any_of(c->operands.begin(), c->operands.end(), [&](const Use& use) { return has_discs(builder, use.node); });
+    return std::holds_alternative<shape::Disc>(std::get<Shape>(builder.node(id)));
+}
+
+// The extrusion of a placed 2D set that shrinks or grows evenly on its way up, `e.profile` left open. Set operations commute with it, and a disc becomes a cone,
+// which leans where the disc is off the axis: k(z) (A q + b) is the upright cone of k q, turned by A and sheared along b.
+Use tapered(SolidBuilder& builder, const shape::Extrusion& e, const Use& flat, const Placement& outer, const Label& label) {
+    const Placement placement = outer * flat.placement;
+    Use made;
+    if (const auto* c = std::get_if<Combination>(&builder.node(flat.node))) {
+        const Combination combination = *c;
+        std::vector<Use> operands;
+        for (const Use& operand : combination.operands) operands.push_back(tapered(builder, e, operand, placement, label));
+        made.node = builder.combine(combination.op, std::move(operands));
+        return made;
+    }
+    if (const auto* disc = std::get_if<shape::Disc>(&std::get<Shape>(builder.node(flat.node)))) {
+        const double top = e.scale_top.x, lean = (top - 1) / (e.z1 - e.z0);
+        made.node = builder.shape(shape::Frustum{e.z0, e.z1, disc->r, disc->r * top});
+        made.placement = placement;
+        for (int i = 0; i < 2; ++i) {
+            made.placement.m[static_cast<std::size_t>(4 * i + 2)] = lean * placement.offset(i);
+            made.placement.m[static_cast<std::size_t>(4 * i + 3)] = placement.offset(i) * (1 - lean * e.z0);
+        }
+    } else {
+        shape::Extrusion part = e;
+        Use profile;
+        profile.node = flat.node;
+        profile.placement = placement;
+        part.profile = builder.combine(SetOp::kUnion, {profile});
+        made.node = builder.shape(part);
+    }
+    made.label = builder.label(label);
+    return made;
+}
+
 bool is_translation_in_plane(const Placement& a) { return a == Placement::translation({a.offset(0), a.offset(1), 0}); }
 
 // The angle as the language reads it: outside (-360, 360] and what is no number mean a full turn.
@@ -64,6 +102,11 @@ Made Canonicaliser::extruded(SceneNodeId id, const scene::LinearExtrude& what) {
     }
     e.profile = node_of(flat);
     e.slices = slices_of(node, what, e);
+    if (e.twist_deg == 0 && e.scale_top.x == e.scale_top.y && has_discs(builder_, e.profile)) {
+        Use made = tapered(builder_, e, flat, {}, {{}, node.place, {}});
+        if (made.node == kEmptyNode) return {};
+        return {made, Dimension::kSolid};
+    }
     return leaf(node, e);
 }
 
@@ -143,14 +186,30 @@ Made Canonicaliser::revolved(SceneNodeId id, const scene::RotateExtrude& what) {
     return leaf(node, r);
 }
 
-// Only what has a box beyond doubt is resized: its factor must not come from a box that is merely large enough.
+// The smallest box: by directions where the set knows how far it reaches, else by its corners.
+std::optional<Bounds> Canonicaliser::box_of(const Use& use) {
+    if (auto box = tight_bounds(builder_.so_far(), use)) return box;
+    Bounds box;
+    const auto add = [&box](Vec3 p) {
+        box = box.empty() ? Bounds{p, p} : Bounds{glm::min(box.lo, p), glm::max(box.hi, p)};
+    };
+    if (builder_.is_2d(use.node)) {
+        for (const auto& ring : outline_of(use))
+            for (const Vec2& p : ring) add({p.x, p.y, 0});
+    } else if (const auto facets = facets_of_use("resize", use)) {
+        for (const Vec3& p : (*facets)->points) add(p);
+    }
+    if (box.empty()) return std::nullopt;
+    return box;
+}
+
 Made Canonicaliser::resized(SceneNodeId id, const scene::Resize& what) {
     const SceneNode& node = scene_.nodes[id];
     const std::size_t ghosts_before = ghosts_.size();
     Made made = united(id);
     if (made.dimension == Dimension::kNone) return {};
-    const auto box = tight_bounds(builder_.so_far(), made.use);
-    if (!box) return left_out(node.place, "resize() of what has no simple box is not supported yet, left out");
+    const auto box = box_of(made.use);
+    if (!box) return left_out(node.place, "resize() of what has no box, left out");
     Vec3 factor(1);
     double largest = 1, largest_size = 0;
     for (int i = 0; i < (made.dimension == Dimension::kFlat ? 2 : 3); ++i) {

@@ -39,6 +39,7 @@ private:
     Made transformed(SceneNodeId id, const Placement& placement);
     Made moving(SceneNodeId id, const scene::Moving& what);
     Made resized(SceneNodeId id, const scene::Resize& what);
+    std::optional<Bounds> box_of(const Use& use);
     Made labelled(SceneNodeId id, Label label);
     void collect_union(SceneNodeId id, Operands& operands);
     Operands collect_each(SceneNodeId id);

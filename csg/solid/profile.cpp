@@ -19,7 +19,7 @@ using ClipperLib::Paths;
 constexpr int kGridBits = 44;
 // Of the grid for corners that carry rounding, and how many of its units two of them may be apart.
 constexpr int kRoundedBits = 32;
-constexpr double kSameCorner = 2;
+constexpr double kSameCorner = 4;
 constexpr int kFewestChords = 8;
 constexpr int kMostChords = 1 << 16;
 constexpr double kPi = 3.14159265358979323846;
@@ -184,7 +184,14 @@ Contours united_rings(const std::vector<std::vector<Vec2>>& rings) {
         clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive, ClipperLib::pftPositive);
         return result;
     };
-    Paths result = united(on_grid(rings, scale));
+    const auto grown = [](const Paths& paths, double by) {
+        ClipperLib::ClipperOffset offset;
+        offset.AddPaths(paths, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+        Paths result;
+        offset.Execute(result, by);
+        return result;
+    };
+    Paths result = grown(grown(united(on_grid(rings, scale)), kSameCorner), -kSameCorner);
     ClipperLib::CleanPolygons(result, kSameCorner);
     return off_grid(united(result), scale);
 }
