@@ -1,9 +1,11 @@
 // compile.cpp — formula → program.
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
+#include "tracer/engine/space.h"
 #include "tracer/engine/tile.h"
 
 namespace whittle {
@@ -17,12 +19,30 @@ constexpr double kSnapRoom = 4;             // of the largest distance the snap 
 constexpr double kTriangleCost = 1.5;
 constexpr std::uint32_t kMostTriangles = 4;
 
+// Whose matter wins where several uses hold a place: the highest priority, then the first in the author's order.
+void rank_matters(Program& program) {
+    const std::vector<LeafUse>& uses = program.uses;
+    std::vector<std::uint32_t> ranked(uses.size());
+    std::iota(ranked.begin(), ranked.end(), 0U);
+    const auto priority = [&](std::uint32_t use) { return uses[use].material.priority.value_or(0); };
+    std::stable_sort(ranked.begin(), ranked.end(), [&](std::uint32_t a, std::uint32_t b) { return priority(a) > priority(b); });
+    program.matter_order.resize(uses.size());
+    for (std::uint32_t rank = 0; rank < ranked.size(); ++rank) program.matter_order[ranked[rank]] = rank;
+    const LeafUse* first = nullptr;
+    for (const LeafUse& use : uses) {
+        if (use.subtracts) continue;
+        if (!first) first = &use;
+        program.one_matter = program.one_matter && use.material == first->material;
+    }
+}
+
 class Compiler {
 public:
     Compiler(Formula formula, bool snap) : formula_(std::move(formula)), classes_(find_classes(formula_.table, snap)) {}
 
     std::shared_ptr<const Program> run() {
         program_.uses = std::move(formula_.uses);
+        rank_matters(program_);
         program_.motions = formula_.motions;
         for (const PrismData& p : formula_.prisms) add_prism(p);
         for (const MeshPart& m : formula_.meshes) add_mesh(m);
@@ -43,6 +63,7 @@ public:
         program_.classes = std::move(classes_.supports);
         program_.frames = std::move(formula_.table.frames);
         describe_for_packets(program_);
+        divide_space(program_);
         return std::make_shared<const Program>(std::move(program_));
     }
 
@@ -54,6 +75,7 @@ private:
         leaf.kind = n.kind;
         leaf.negated = n.negated;
         leaf.use = n.use;
+        leaf.fills = !program_.uses[n.use].subtracts;
         leaf.first = n.data;
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);

@@ -45,8 +45,9 @@ struct BuildReport {
 struct LeafUse {
     Material material;
     SourcePlace place;
-    bool subtracts = false;
-    std::uint32_t cut_depth = 0;  // of a subtracting use: how many operations stand above the outermost difference that subtracts it
+    bool subtracts = false;          // a cutter, or within one at any depth: its matter fills nothing
+    std::uint32_t subtractions = 0;  // above it: 1 for a cutter, 2 for c in a - (b - c)
+    std::uint32_t cut_depth = 0;     // of a cutter: how many differences stand above the outermost one that subtracts it
 };
 
 // First border met from outside to inside; or the exit if the ray starts inside (`from_inside`).
@@ -86,6 +87,8 @@ bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& sc
 void first_hits(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found);
 // Is any point with 0 < t < t_max inside the solid?
 bool any_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch);
+// any_hit() of `count` rays, each up to its own t_max: fast where they lie close together, as a tile's shadow rays to one light do.
+void any_hits(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked);
 // All maximal spans of t >= 0, in order.
 void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& spans);
 

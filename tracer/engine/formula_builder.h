@@ -15,6 +15,7 @@ struct Site {
     Chain chain;
     MotionId motion = 0;
     bool negated = false;
+    std::uint32_t subtractions = 0;
     std::uint32_t cut_depth = 0, depth = 0;
     std::uint32_t use = 0xFFFFFFFF;  // set below an extrusion or revolution: its profile belongs to its use
     const Material* material = nullptr;

@@ -57,6 +57,18 @@ Vec3 curved_gradient(const Support& s, const Vec3& x) {
 
 }  // namespace
 
+Vec3 unit_vector(Vec3 n) {
+    double square = n.x * n.x + n.y * n.y + n.z * n.z;
+    if (!(square >= kLeastSafeSquare && square <= kMostSafeSquare)) {
+        const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+        if (!(most > 0)) return {0, 0, 1};
+        n = {n.x / most, n.y / most, n.z / most};
+        square = n.x * n.x + n.y * n.y + n.z * n.z;
+    }
+    const double inverse = 1 / std::sqrt(square);
+    return {n.x * inverse, n.y * inverse, n.z * inverse};
+}
+
 Vec3 unit_gradient(const Support& support, const Frame& frame, const Vec3& point) {
     const auto& k = frame.inverse;
     Vec3 local = point;
@@ -66,8 +78,7 @@ Vec3 unit_gradient(const Support& support, const Frame& frame, const Vec3& point
     }
     Vec3 n = is_plane(support.kind) ? plane_gradient(support) : curved_gradient(support, local);
     if (!frame.identity) n = {k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z};
-    const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    return most > 0 ? glm::normalize(n / most) : Vec3(0, 0, 1);
+    return unit_vector(n);
 }
 
 }  // namespace whittle

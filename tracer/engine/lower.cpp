@@ -73,13 +73,14 @@ FormulaId FormulaBuilder::node(NodeId id, const Site& site) {
 
 FormulaId FormulaBuilder::combination(const Combination& c, const Site& site) {
     Site below = site;
-    if (c.operands.size() > 1) ++below.depth;
+    if (c.op == SetOp::kDifference) ++below.depth;
     std::vector<FormulaId> parts;
     for (std::size_t i = 0; i < c.operands.size(); ++i) {
         Site each = below;
         if (c.op == SetOp::kDifference && i > 0) {
             each.negated = !site.negated;
-            if (each.negated && !site.negated) each.cut_depth = below.depth;
+            if (site.subtractions == 0) each.cut_depth = below.depth;
+            ++each.subtractions;
         }
         parts.push_back(use(c.operands[i], each));
     }
@@ -157,7 +158,7 @@ FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Boun
 FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
     if (site.use == kNoUse) {
         site.use = static_cast<std::uint32_t>(out_.uses.size());
-        out_.uses.push_back({*site.material, site.place, site.negated, site.cut_depth});
+        out_.uses.push_back({*site.material, site.place, site.subtractions > 0, site.subtractions, site.cut_depth});
     }
     return std::visit(
         [&](const auto& s) -> FormulaId {

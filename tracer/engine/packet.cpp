@@ -10,6 +10,7 @@
 
 #include "tracer/engine/gradient.h"
 #include "tracer/engine/scratch.h"
+#include "tracer/engine/space.h"
 
 // The single-ray kernel stands above; from here on the text is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -31,24 +32,17 @@ namespace {
 // 5 leaves 4.4 times as fast, 201 1.4, 512 1.6, 1201 1.4; 1756 (Menger sponge) 0.6, 100,000 0.4.
 constexpr std::size_t kMostLeavesApart = 1500;
 
-// False: the rays do not go together.
-bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileBounds& bounds) {
+// False: some coordinate is no number, or not finite.
+bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileExtremes& extremes) {
     const std::size_t padded = (count + kMostLanes - 1) / kMostLanes * kMostLanes;
-    bool numbers = true;  // a minimum passes over what is no number
     for (std::size_t k = 0; k < padded; ++k) {
         const Ray& ray = rays[std::min(k, count - 1)];
         for (std::size_t i = 0; i < 3; ++i) {
             m.o[i][k] = ray.origin[static_cast<int>(i)];
             m.d[i][k] = ray.direction[static_cast<int>(i)];
         }
-        const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
-        numbers = numbers && sum == sum;
     }
-    if (!numbers) return false;
-    TileExtremes extremes;
-    HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded, extremes);
-    bounds = tile_bounds(extremes);
-    return bounds.coherent;
+    return HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded, extremes) && extremes.least_square > 0;
 }
 
 void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
@@ -65,11 +59,15 @@ void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
     hit.departure.count = 1;
 }
 
-// Of at most kTileRays rays that go together, or kMostLanes that need not.
-void hits_of_packets(const Program& program, const TileBounds& bounds, bool together, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits,
+void hits_alone(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
+    for (int k = 0; k < count; ++k) found[k] = first_hit(program, rays[k], t_max, scratch, hits[k]);
+}
+
+// Of the rays last loaded: at most kTileRays that go together, or kMostLanes that need not.
+void hits_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits,
                      bool* found) {
     TileMemory& m = scratch.impl->tile;
-    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, together);
+    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, bounds.coherent, shared);
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (m.deferred[k] || rays[i].departure != nullptr) {
@@ -85,21 +83,104 @@ void hits_of_packets(const Program& program, const TileBounds& bounds, bool toge
 
 void hits_of_tile(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
     TileMemory& m = scratch.impl->tile;
-    TileBounds bounds;
-    if (load_tile(rays, static_cast<std::size_t>(count), m, bounds)) return hits_of_packets(program, bounds, true, rays, count, t_max, scratch, hits, found);
+    TileExtremes extremes;
+    if (!load_tile(rays, static_cast<std::size_t>(count), m, extremes)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
+    const TileBounds bounds = tile_bounds(extremes);
+    const TileScope scope = tile_scope(extremes, program.bounds);
+    if (!(scope.horizon < HUGE_VAL)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
+    m.tree.begin(program, scope);
+    if (bounds.coherent) return hits_of_packets(program, bounds, false, rays, count, t_max, scratch, hits, found);
     constexpr int kFew = static_cast<int>(kMostLanes);
     for (int i = 0; i < count; i += kFew) {
         const int few = std::min(kFew, count - i);
-        const bool together = load_tile(rays + i, static_cast<std::size_t>(few), m, bounds);
-        if (together || program.leaves.size() <= kMostLeavesApart) {
-            hits_of_packets(program, bounds, together, rays + i, few, t_max, scratch, hits + i, found + i);
+        load_tile(rays + i, static_cast<std::size_t>(few), m, extremes);
+        const TileBounds near = tile_bounds(extremes);
+        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
+            hits_of_packets(program, near, true, rays + i, few, t_max, scratch, hits + i, found + i);
         } else {
-            for (int k = i; k < i + few; ++k) found[k] = first_hit(program, rays[k], t_max, scratch, hits[k]);
+            hits_alone(program, rays + i, few, t_max, scratch, hits + i, found + i);
+        }
+    }
+}
+
+// The event that a ray leaves, as its packet knows it. False: packets do not know such departures.
+bool departure_of(const Program& program, const Ray& ray, std::uint64_t& id) {
+    constexpr double kLeastCosine = 0x1p-7;  // nearer to grazing, which of two crossings is left is not plain
+    id = ~std::uint64_t{0};
+    if (ray.departure == nullptr || ray.departure->count == 0) return true;
+    if (ray.departure->count > 1) return false;
+    const ClassId c = ray.departure->classes[0];
+    const Support& s = program.classes[c];
+    id = std::uint64_t{c} << 1;
+    if (is_plane(s.kind)) return true;
+    if (s.kind != SupportKind::kBall && s.kind != SupportKind::kCylinder) return false;
+    const double along = glm::dot(unit_gradient(s, program.frames[s.frame], ray.origin), ray.direction);
+    if (along > 0) id |= 1;
+    return std::abs(along) > kLeastCosine * glm::length(ray.direction);
+}
+
+void any_alone(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+    for (int k = 0; k < count; ++k) blocked[k] = any_hit(program, rays[k], t_max[k], scratch);
+}
+
+// Of the rays last loaded.
+void any_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Ray* rays, const double* t_max, int count, Scratch& scratch,
+                    bool* blocked) {
+    TileMemory& m = scratch.impl->tile;
+    std::array<bool, kTileRays> alone;
+    const auto n = static_cast<std::size_t>(count), padded = (n + kMostLanes - 1) / kMostLanes * kMostLanes;
+    for (std::size_t k = 0; k < padded; ++k) {
+        const std::size_t ray = std::min(k, n - 1);
+        alone[k] = !departure_of(program, rays[ray], m.departed[k]);
+        // A lane that is asked alone anyway looks for nothing.
+        m.t[k] = alone[k] ? -HUGE_VAL : t_max[ray];
+    }
+    m.any = true;
+    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
+    m.any = false;
+    for (std::size_t k = 0; k < n; ++k) {
+        blocked[k] = m.t[k] == -HUGE_VAL;
+        // Blocked is blocked, whatever else was close.
+        if (alone[k] || (m.deferred[k] && !blocked[k])) {
+            ++scratch.counters.packet_deferred;
+            blocked[k] = any_hit(program, rays[k], t_max[k], scratch);
+        } else {
+            ++scratch.counters.packet_rays;
+        }
+    }
+}
+
+void any_of_tile(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+    TileMemory& m = scratch.impl->tile;
+    TileExtremes extremes;
+    if (!load_tile(rays, static_cast<std::size_t>(count), m, extremes)) return any_alone(program, rays, t_max, count, scratch, blocked);
+    const TileBounds bounds = tile_bounds(extremes);
+    const TileScope scope = tile_scope(extremes, program.bounds);
+    if (!(scope.horizon < HUGE_VAL)) return any_alone(program, rays, t_max, count, scratch, blocked);
+    m.tree.begin(program, scope);
+    if (bounds.coherent) return any_of_packets(program, bounds, false, rays, t_max, count, scratch, blocked);
+    constexpr int kFew = static_cast<int>(kMostLanes);
+    for (int i = 0; i < count; i += kFew) {
+        const int few = std::min(kFew, count - i);
+        load_tile(rays + i, static_cast<std::size_t>(few), m, extremes);
+        const TileBounds near = tile_bounds(extremes);
+        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
+            any_of_packets(program, near, true, rays + i, t_max + i, few, scratch, blocked + i);
+        } else {
+            any_alone(program, rays + i, t_max + i, few, scratch, blocked + i);
         }
     }
 }
 
 }  // namespace
+
+void any_hits(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+    if (program.empty || program.everything) {
+        std::fill(blocked, blocked + count, program.everything);
+        return;
+    }
+    for (int i = 0; i < count; i += kTileRays) any_of_tile(program, rays + i, t_max + i, std::min(count - i, kTileRays), scratch, blocked + i);
+}
 
 void first_hits(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
     if (program.empty || program.everything) {

@@ -23,6 +23,7 @@ struct HalfSpace {
 struct Leaf {
     FormulaKind kind = FormulaKind::kCell;
     bool negated = false;
+    bool fills = true;  // its use is not subtracted
     std::uint32_t first = 0, count = 0;
     std::uint32_t use = 0;
 };
@@ -41,7 +42,12 @@ struct Group {
     bool is_and = false;
     bool outside_value = false;
     bool bounded = false;
-    bool holds = false;  // some leaf below is not negated
+    bool holds = false;  // some leaf below is not subtracted
+    // In a cell of the octree: the least use, of those that are not subtracted, of what was folded away as always true there; not known if unclear.
+    static constexpr std::uint32_t kNoUse = 0xFFFFFFFF;
+    bool hold_unclear = false;
+    bool always = false;  // an OR that is true throughout its cell; its children only tell who holds a place
+    std::uint32_t hold = kNoUse;
     Bounds box;
     std::uint32_t first_plain = 0, plain_count = 0;
     std::uint32_t first_item = 0, item_count = 0;  // into `refs`, in the hierarchy's order
@@ -78,6 +84,15 @@ struct ItemBall {
     ClassId id = 0;
 };
 
+// A node of the octree over the program's bounds (space.h): its eight children stand at `first`; or its formula, in the cell a little grown.
+struct SpaceNode {
+    enum class Kind : std::uint8_t { kOutside, kInside, kBorder, kDivided };
+    Kind kind = Kind::kOutside;
+    std::uint32_t first = 0;
+    Ref formula;
+    Ref labels;  // the same with all that may hold a place; equal to `formula` where that tells it
+};
+
 class Program {
 public:
     std::vector<Frame> frames;
@@ -91,9 +106,12 @@ public:
     std::vector<Ref> refs;
     std::vector<ItemBall> balls;  // one a ref
     std::vector<BoxNode> nodes;
+    std::vector<SpaceNode> space;  // root first; empty where cells do not pay
     std::vector<PrismLeaf> prisms;
     std::vector<MeshLeaf> meshes;
     std::vector<LeafUse> uses;
+    std::vector<std::uint32_t> matter_order;  // by use: of two that hold a place the one of lower order fills it (priority, then the author's order)
+    bool one_matter = true;                   // all uses that are not subtracted are of one material
     Ref root;
     bool empty = true;       // nothing inside anywhere
     bool everything = false;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tracer/engine/gradient.h"
+#include "tracer/engine/mutation.h"
 #include "tracer/engine/scratch.h"
 
 namespace whittle {
@@ -15,28 +16,28 @@ namespace {
 
 Event origin(bool before) { return {0, 0, kNoClass, 0, before}; }
 
-// A cutter that names its surface shows it, the outermost cut first; else the least use that is not subtracted; else, on a face that only unnamed
-// cutters made, the use whose matter is left.
+// Only uses below the fewest subtractions count: what a cutter merely touches has a face of its own there. Bodies: the first. Cutters: the first of the
+// outermost difference that names its surface; where none does, the use whose matter is left (docs/numerics.md, labels).
 std::uint32_t shown_use(const Program& program, Walker& walker, const std::vector<Walker::Cause>& causes, const Event& at, bool entering) {
-    std::uint32_t cutter = Walker::kNoLeafUse, body = Walker::kNoLeafUse, least = Walker::kNoLeafUse;
+    constexpr std::uint32_t kNone = Walker::kNoLeafUse;
+    std::uint32_t first = kNone, named = kNone;
     for (const Walker::Cause& c : causes) {
         const std::uint32_t use = program.leaves[c.leaf].use;
         const LeafUse& u = program.uses[use];
-        least = std::min(least, use);
-        if (!u.subtracts) {
-            body = std::min(body, use);
-        } else if (u.material.names_surface()) {
-            const bool better = cutter == Walker::kNoLeafUse || u.cut_depth < program.uses[cutter].cut_depth ||
-                                (u.cut_depth == program.uses[cutter].cut_depth && use < cutter);
-            if (better) cutter = use;
-        }
+        if (first != kNone && u.subtractions > program.uses[first].subtractions) continue;
+        const bool fewer = first == kNone || u.subtractions < program.uses[first].subtractions;
+        if (fewer) named = kNone;
+        first = fewer ? use : std::min(first, use);
+        if (!u.material.names_surface()) continue;
+        const auto rank = [&](std::uint32_t n) { return std::pair(program.uses[n].cut_depth, n); };
+        if (named == kNone || rank(use) < rank(named)) named = use;
     }
-    if (cutter != Walker::kNoLeafUse) return cutter;
-    if (body != Walker::kNoLeafUse) return body;
+    if (first != kNone && !program.uses[first].subtracts) return first;
+    if (named != kNone) return named;
     Event inside = at;
     inside.before = !entering;
-    const std::uint32_t held = walker.containing_use(program.root, inside);
-    return held != Walker::kNoLeafUse ? held : least;
+    const std::uint32_t held = walker.matter_at(program.root, inside);
+    return held != kNone ? held : first;
 }
 
 End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const Event& e, bool entering) {
@@ -44,7 +45,7 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const 
     Event at = e;
     at.before = false;
     impl.walker.causes(program.root, at, impl.causes);
-    if (impl.causes.empty()) impl.walker.causes_among_met(at, impl.causes);
+    if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(at, impl.causes);
     End end;
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;

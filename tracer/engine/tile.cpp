@@ -19,7 +19,8 @@ std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1
 }  // namespace
 
 TileBounds tile_bounds(const TileExtremes& extremes) {
-    const auto& [o_lo, o_hi, d_lo, d_hi] = extremes;
+    const auto& [o_lo, o_hi, d_lo, d_hi, least_square] = extremes;
+    (void)least_square;
     TileBounds b;
     b.extremes = extremes;
     b.o_lo = o_lo;
@@ -132,13 +133,71 @@ bool meets_turned(const Program& program, const TileBounds& bounds, const Leaf& 
 
 }  // namespace
 
-void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref) {
+TileScope tile_scope(const TileExtremes& extremes, const Bounds& box) {
+    TileScope scope;
+    scope.root = {extremes.o_lo, extremes.o_hi, extremes.d_lo, extremes.d_hi, {}, {}};
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int k = static_cast<int>(i);
+        most += std::max(std::abs(box.hi[k] - extremes.o_lo[i]), std::abs(extremes.o_hi[i] - box.lo[k]));
+    }
+    scope.horizon = 2 * most / std::sqrt(extremes.least_square);
+    return scope;
+}
+
+void TileTree::begin(const Program& program, const TileScope& scope) {
+    scope_ = scope;
+    surfaces.clear();
+    error_ = 0;
+    if (folded_.size() != program.leaves.size() || ++stamp_ == 0) {
+        folded_.assign(program.leaves.size(), {});
+        stamp_ = 1;
+    }
+}
+
+void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref, bool shared) {
     nodes.clear();
     children.clear();
     pending_.clear();
-    leaf_count = 0;
-    holders_lost = false;
+    cells.clear();
+    leaf_count = holders = 0;
+    holder_lost = clipped = false;
+    shared_ = shared;
+    if (!shared) {
+        surfaces.clear();
+        error_ = 0;
+    }
     root = add(program, bounds, ref);
+    room = 2.5 * error_;
+}
+
+void TileTree::build_labels(const Program& program, const TileBounds& bounds, Ref ref) {
+    labels_ = true;
+    build(program, bounds, ref, false);
+    labels_ = false;
+}
+
+TileCell TileTree::cell_of(const Program& program, std::uint32_t leaf, bool& met, double& near, double& far) {
+    TileCell cell;
+    if (!shared_) {
+        met = fold_cell(program, scope_, program.leaves[leaf], surfaces, cell, error_, near, far);
+        return cell;
+    }
+    Folded& f = folded_[leaf];
+    if (f.stamp != stamp_) {
+        f = {stamp_, {}, -HUGE_VAL, HUGE_VAL, false};
+        f.met = fold_cell(program, scope_, program.leaves[leaf], surfaces, f.cell, error_, f.near, f.far);
+    }
+    met = f.met;
+    near = std::max(near, f.near);
+    far = std::min(far, f.far);
+    return f.cell;
+}
+
+bool TileTree::beyond(double near) {
+    const bool is = near > window;
+    clipped = clipped || is;
+    return is;
 }
 
 std::uint32_t TileTree::add(const Program& program, const TileBounds& bounds, Ref ref) {
@@ -149,12 +208,19 @@ std::uint32_t TileTree::add_leaf(const Program& program, const TileBounds& bound
     const Leaf& leaf = program.leaves[index];
     const FloatBox& box = program.leaf_boxes[index];
     TileNode n;
-    if (!bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far) || !meets_turned(program, bounds, leaf, n.near, n.far))
-        return leaf.negated ? kTrue : kFalse;
+    bool met = bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far) && meets_turned(program, bounds, leaf, n.near, n.far);
+    if (met && beyond(n.near)) met = false;
+    const TileCell cell = met ? cell_of(program, index, met, n.near, n.far) : TileCell();
+    if (!met || beyond(n.near)) return leaf.negated ? kTrue : kFalse;
     n.negated = n.outside = leaf.negated;
-    n.holds = !leaf.negated;
+    n.holds = leaf.fills;
+    if (n.holds) {
+        ++holders;
+        holder_use = leaf.use;
+    }
     n.leaf = index;
     n.slot = leaf_count++;
+    cells.push_back(cell);
     nodes.push_back(n);
     return static_cast<std::uint32_t>(nodes.size() - 1);
 }
@@ -168,16 +234,14 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
     const std::uint32_t neutral = g.is_and ? kTrue : kFalse, absorbing = g.is_and ? kFalse : kTrue;
     if (g.bounded) {
         const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
-        if (!bounds.meets(lo, hi, n.near, n.far)) {
-            holders_lost = holders_lost || (g.outside_value && g.holds);
-            return g.outside_value ? kTrue : kFalse;
-        }
+        if (!bounds.meets(lo, hi, n.near, n.far) || beyond(n.near)) return g.outside_value ? kTrue : kFalse;
     }
     const std::size_t first = pending_.size();
     bool open = true;
     const auto take = [&](Ref ref) {
         const std::uint32_t child = add(program, bounds, ref);
         if (child == neutral) return true;
+        if (child == absorbing && labels_ && !g.is_and) return n.always = true;
         if (child == absorbing) return open = false;
         pending_.push_back(child);
         return true;
@@ -190,7 +254,7 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
         while (open && top > 0) {
             const BoxNode& node = program.nodes[stack[--top]];
             double near = 0, far = 0;
-            if (!bounds.meets(widened(node.lo), widened(node.hi), near, far)) continue;
+            if (!bounds.meets(widened(node.lo), widened(node.hi), near, far) || beyond(near)) continue;
             if (node.count == 0) {
                 stack[top++] = node.first + 1;
                 stack[top++] = node.first;
@@ -198,14 +262,22 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
             }
             for (std::uint32_t i = 0; open && i < node.count; ++i) take(program.refs[node.first + i]);
         }
-        // An item that is true outside its box but holds leaves that are not negated is passed over here as it is by a single ray.
     }
-    if (!open || pending_.size() == first) {
+    n.always = n.always || g.always;
+    const bool held = g.hold != Group::kNoUse;
+    if (labels_ && open && pending_.size() == first && !held) return g.is_and || n.always ? kTrue : kFalse;
+    if (!open || (pending_.size() == first && !labels_)) {
         pending_.resize(first);
-        if (!open && !g.is_and && g.holds) holders_lost = true;
+        holder_lost = holder_lost || (open && (held || g.hold_unclear));
         return open ? neutral : absorbing;
     }
-    if (pending_.size() == first + 1) {
+    n.hold = g.hold;
+    n.hold_unclear = g.hold_unclear;
+    if (held || n.hold_unclear) {
+        holders += n.hold_unclear ? 2 : 1;  // more than one: each place asks
+        holder_use = n.hold;
+        n.holds = true;
+    } else if (pending_.size() == first + 1 && !n.always) {
         const std::uint32_t only = pending_[first];
         pending_.resize(first);
         return only;
@@ -219,10 +291,14 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
     });
     n.first = static_cast<std::uint32_t>(children.size());
     n.count = static_cast<std::uint32_t>(pending_.size() - first);
-    for (std::size_t i = first; i < pending_.size(); ++i) n.holds = n.holds || nodes[pending_[i]].holds;
+    n.cells = true;
+    for (std::size_t i = first; i < pending_.size(); ++i) {
+        n.holds = n.holds || nodes[pending_[i]].holds;
+        n.cells = n.cells && nodes[pending_[i]].kind == TileNode::Kind::kLeaf;
+    }
     for (std::size_t i = first; i < pending_.size(); ++i) {
         const TileNode& child = nodes[pending_[i]];
-        children.push_back({child.near, child.far, pending_[i], child.outside, child.holds});
+        children.push_back({child.near, child.far, pending_[i], child.outside, child.holds, child.kind == TileNode::Kind::kLeaf});
     }
     pending_.resize(first);
     nodes.push_back(n);
@@ -232,7 +308,7 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
 namespace {
 
 bool holds(const Program& program, Ref ref) {
-    return ref.is_leaf() ? !program.leaves[ref.index()].negated : program.groups[ref.index()].holds;
+    return ref.is_leaf() ? program.leaves[ref.index()].fills : program.groups[ref.index()].holds;
 }
 
 }  // namespace
@@ -261,10 +337,12 @@ void describe_for_packets(Program& program) {
         if (leaf.kind == FormulaKind::kMesh)
             for (const ClassId id : program.meshes[leaf.first].facets) meet(id, i, false);
     }
+    // Packets look for the least use; priorities are a single ray's work.
+    const bool ordinals = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
     for (const Users& u : users) {
         ClassLabel label;
         if (u.count > 0 && u.silent_cutters) {
-            label.kind = ClassLabel::Kind::kHeld;
+            if (ordinals) label.kind = ClassLabel::Kind::kHeld;
         } else if (u.count == 1) {
             label = {ClassLabel::Kind::kUse, program.leaves[u.leaf].use};
         }

@@ -7,15 +7,16 @@
 #include <array>
 #include <vector>
 
-#include "tracer/engine/program.h"
+#include "tracer/engine/tile_cell.h"
 
 namespace whittle {
 
 inline constexpr int kTileRays = 256;
 
-// Of the coordinates of a tile's origins and directions.
+// Of the coordinates of a tile's origins and directions, and of the square of its directions' lengths.
 struct TileExtremes {
     std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
+    double least_square = 0;
 };
 
 // Bounds of a tile's rays. Built from extremes of origins and directions; every result errs outward.
@@ -37,6 +38,8 @@ struct TileBounds {
 };
 
 TileBounds tile_bounds(const TileExtremes& extremes);
+// Requires: finite bounds of the program.
+TileScope tile_scope(const TileExtremes& extremes, const Bounds& bounds);
 
 // A node of the folded formula: `outside` wherever t is not in [near, far].
 struct TileNode {
@@ -44,7 +47,11 @@ struct TileNode {
     Kind kind = Kind::kLeaf;
     bool negated = false;  // leaves
     bool outside = false;
-    bool holds = false;    // some leaf in it is not negated
+    bool cells = false;    // every child is a leaf
+    bool hold_unclear = false;
+    bool always = false;  // true whatever its children are
+    std::uint32_t hold = Group::kNoUse;  // Group::hold
+    bool holds = false;    // some leaf in it is not subtracted
     std::uint32_t leaf = 0;                          // of the program
     std::uint32_t slot = 0;                          // leaves: their number in this tree
     std::uint32_t first = 0, count = 0;              // into TileTree::children
@@ -55,7 +62,7 @@ struct TileNode {
 struct TileChild {
     double near = 0, far = 0;
     std::uint32_t node = 0;
-    bool outside = false, holds = false;
+    bool outside = false, holds = false, leaf = false;
 };
 
 // The folded formula. Children that are not neutral outside stand first; those that are, by rising `near`.
@@ -65,15 +72,43 @@ struct TileTree {
     std::vector<TileChild> children;
     std::uint32_t root = kFalse;
     std::uint32_t leaf_count = 0;
-    bool holders_lost = false;  // something that may hold a place of its true part was folded away
+    std::vector<TileCell> cells;         // by slot
+    std::vector<TileSurface> surfaces;
+    double room = 0;                     // events further apart than this are in this order
+    std::uint32_t holders = 0;           // leaves of the tree that are not subtracted,
+    std::uint32_t holder_use = 0;        // and the use of the last
+    bool holder_lost = false;            // what holds a place may have been folded away
+    double window = HUGE_VAL;            // what begins behind it is left out:
+    bool clipped = false;                // something was
 
-    void build(const Program& program, const TileBounds& bounds, Ref ref);
+    // Cells folded for an older scope are forgotten.
+    void begin(const Program& program, const TileScope& scope);
+    const TileScope& scope() const { return scope_; }
+    // Requires: begin(). `shared`: `bounds` are of some rays of the scope only; cells are folded to the scope, once.
+    void build(const Program& program, const TileBounds& bounds, Ref ref, bool shared);
+    // Folds nothing away that may hold a place. For PacketWalker::holder() alone.
+    void build_labels(const Program& program, const TileBounds& bounds, Ref ref);
 
 private:
+    bool beyond(double near);
     std::uint32_t add(const Program& program, const TileBounds& bounds, Ref ref);
     std::uint32_t add_leaf(const Program& program, const TileBounds& bounds, std::uint32_t leaf);
     std::uint32_t add_group(const Program& program, const TileBounds& bounds, const Group& g);
+    TileCell cell_of(const Program& program, std::uint32_t leaf, bool& met, double& near, double& far);
+
+    // A cell folded once for the rays of a scope.
+    struct Folded {
+        std::uint32_t stamp = 0;
+        TileCell cell;
+        double near = 0, far = 0;
+        bool met = false;
+    };
     std::vector<std::uint32_t> pending_;
+    std::vector<Folded> folded_;  // by leaf
+    std::uint32_t stamp_ = 0;
+    TileScope scope_;
+    double error_ = 0;
+    bool shared_ = false, labels_ = false;
 };
 
 // Fills what packets need of a finished program: class_labels and Group::holds.

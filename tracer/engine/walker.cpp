@@ -289,19 +289,34 @@ void Walker::causes_among_met(const Event& at, std::vector<Cause>& out) {
         if (slots_[leaf].stamp == stamp_) causes(Ref::leaf(leaf), at, out);
 }
 
-std::uint32_t Walker::containing_use(Ref ref, const Event& cursor) {
+std::uint32_t Walker::matter_at(Ref ref, const Event& cursor) {
     const Program& program = context_.program();
     if (!state(ref, cursor)) return kNoLeafUse;
     if (ref.is_leaf()) {
         const Leaf& leaf = program.leaves[ref.index()];
-        return leaf.negated ? kNoLeafUse : leaf.use;
+        return leaf.fills ? leaf.use : kNoLeafUse;
     }
-    std::uint32_t least = kNoLeafUse;
+    std::uint32_t first = kNoLeafUse;
     each_at(program.groups[ref.index()], cursor, [&](Ref child) {
-        least = std::min(least, containing_use(child, cursor));
+        const std::uint32_t use = matter_at(child, cursor);
+        if (use != kNoLeafUse && (first == kNoLeafUse || program.matter_order[use] < program.matter_order[first])) first = use;
         return true;
     });
-    return least;
+    return first;
+}
+
+void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
+    const Program& program = context_.program();
+    if (!ref.is_leaf()) {
+        each_on_ray(program.groups[ref.index()], [&](Ref child) {
+            matter_changes(child, out);
+            return true;
+        });
+        return;
+    }
+    if (!program.leaves[ref.index()].fills) return;
+    const Changes c = leaf_changes(ref.index());
+    for (std::uint32_t i = 0; i < c.count; ++i) out.push_back({events_[c.first + i], ref.index()});
 }
 
 }  // namespace whittle

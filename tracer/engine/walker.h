@@ -42,8 +42,14 @@ public:
     void causes(Ref ref, const Event& at, std::vector<Cause>& out);
     // The same by asking every leaf met so far: for a ray whose rounded origin misses a box by the rounding of its departure.
     void causes_among_met(const Event& at, std::vector<Cause>& out);
-    // The least use whose leaf holds the place and is not subtracted; kNoLeafUse if there is none.
-    std::uint32_t containing_use(Ref ref, const Event& cursor);
+    // Whose matter fills the place: of the uses that hold it and are not subtracted the first by Program::matter_order; kNoLeafUse if there is none.
+    std::uint32_t matter_at(Ref ref, const Event& cursor);
+    // Changes along the ray of all leaves that are not subtracted, leaf by leaf.
+    struct MatterChange {
+        Event event;
+        std::uint32_t leaf;
+    };
+    void matter_changes(Ref ref, std::vector<MatterChange>& out);
     static constexpr std::uint32_t kNoLeafUse = 0xFFFFFFFF;
 
     RayContext& context() { return context_; }

@@ -39,6 +39,8 @@ std::vector<Ray> tile_around(const Ray& ray, int count, double step) {
     return rays;
 }
 
+constexpr double k_light = 1;
+
 struct Tally {
     std::uint64_t hits = 0, in_packets = 0;
 };
@@ -105,4 +107,49 @@ TEST_CASE("a tile's rays along an axis, and rays that do not go together, have t
     CHECK(differing(*program, anyhow, HUGE_VAL, tally) == 0);
     CHECK(tally.hits > 200);
     CHECK(tally.in_packets > 300);
+}
+
+TEST_CASE("shadow rays in packets are blocked where single rays are, on every instruction set") {
+    const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        int blocked_rays = 0, free_rays = 0;
+        std::uint64_t in_packets = 0;
+        for (int theme = 0; theme < kThemes; ++theme)
+            for (std::uint64_t i = 0; i < 8; ++i) {
+                const RandomSolid solid = random_solid(static_cast<Theme>(theme), seed * 1000 + i);
+                const auto program = compile(solid.solid);
+                if (!program) continue;
+                std::mt19937_64 random(i);
+                Scratch scratch, alone;
+                std::vector<Ray> rays = tile_around(random_ray(solid, random), 256, 1e-2), shadows;
+                std::vector<Hit> hits(rays.size());
+                const auto found = std::make_unique<bool[]>(rays.size());
+                first_hits(**program, rays.data(), 256, HUGE_VAL, scratch, hits.data(), found.get());
+                const Vec3 light = rays.front().origin + Vec3(3, 5, 7) * glm::length(rays.front().direction);
+                for (std::size_t k = 0; k < rays.size(); ++k) {
+                    if (!found[k]) continue;
+                    Ray shadow;
+                    shadow.origin = hits[k].point;
+                    shadow.direction = light - hits[k].point;
+                    shadow.departure = &hits[k].departure;
+                    shadows.push_back(shadow);
+                }
+                std::vector<double> t_max(shadows.size(), k_light);
+                const auto blocked = std::make_unique<bool[]>(shadows.size());
+                any_hits(**program, shadows.data(), t_max.data(), static_cast<int>(shadows.size()), scratch, blocked.get());
+                in_packets += scratch.counters.packet_rays;
+                int wrong = 0;
+                for (std::size_t k = 0; k < shadows.size(); ++k) {
+                    wrong += blocked[k] != any_hit(**program, shadows[k], t_max[k], alone);
+                    ++(blocked[k] ? blocked_rays : free_rays);
+                }
+                INFO(hwy::TargetName(target) << " " << name_of(static_cast<Theme>(theme)) << " " << seed * 1000 + i);
+                CHECK(wrong == 0);
+            }
+        CHECK(blocked_rays > 300);
+        CHECK(free_rays > 300);
+        CHECK(in_packets > 1000);
+    }
+    hwy::SetSupportedTargetsForTest(0);
 }

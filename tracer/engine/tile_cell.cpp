@@ -1,0 +1,283 @@
+// tile_cell.cpp — bounds that hold for all rays of a tile, and half-spaces that none of them can feel.
+#include "tracer/engine/tile_cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whittle {
+
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double kRoom = 1 + 0x1p-40;  // over the roundings of the bounds themselves
+// Lanes that graze a ball or cylinder by less than this cosine, or a plane by less than this share of the tile's steepest slope, are undecided: a few in a
+// million, for bounds that are a few hundred times those of the steep ones and still far below any distance between surfaces.
+constexpr double kLeastCosine = 0x1p-8;
+constexpr double kLeastSlope = 0x1p-9;
+constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
+
+double largest(double lo, double hi) { return std::max(std::abs(lo), std::abs(hi)); }
+double smallest(double lo, double hi) { return lo > 0 ? lo : hi < 0 ? -hi : 0; }
+
+TileLine line_in_frame(const TileLine& root, const Frame& frame) {
+    TileLine r;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double o = 0, ho = 0, d = 0, hd = 0, so = 0, sd = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double k = frame.inverse[3 * i + j], size = std::abs(k), offset = frame.placement.offset(static_cast<int>(j));
+            const double lo = root.o_lo[j] - offset, hi = root.o_hi[j] - offset;
+            o += k * (0.5 * (lo + hi));
+            d += k * (0.5 * (root.d_lo[j] + root.d_hi[j]));
+            ho += size * (0.5 * (hi - lo));
+            hd += size * (0.5 * (root.d_hi[j] - root.d_lo[j]));
+            so += size * largest(lo, hi);
+            sd += size * largest(root.d_lo[j], root.d_hi[j]);
+        }
+        // Twelve units bound what a ray's own way into the frame costs; the intervals get as much again for their own rounding.
+        r.eo[i] = 12 * u * so * kRoom;
+        r.ed[i] = 12 * u * sd * kRoom;
+        r.o_lo[i] = o - ho - 2 * r.eo[i], r.o_hi[i] = o + ho + 2 * r.eo[i];
+        r.d_lo[i] = d - hd - 2 * r.ed[i], r.d_hi[i] = d + hd + 2 * r.ed[i];
+    }
+    return r;
+}
+
+// The numbers of a plane's linear form: n.(x - a) - d, each n_i within en_i.
+struct PlaneNumbers {
+    std::array<double, 3> n{}, en{}, a{};
+    double d = 0;
+};
+
+PlaneNumbers plane_numbers(const Support& s) {
+    PlaneNumbers r;
+    const auto& p = s.p;
+    const std::size_t i = s.axis, j = (i + 1) % 3, k = (i + 2) % 3;
+    if (s.kind == SupportKind::kAxisPlane) {
+        r.n[i] = 1;
+        r.a[i] = p[0];
+    } else if (s.kind == SupportKind::kPlane) {
+        r.n = {p[0], p[1], p[2]};
+        r.d = p[3];
+    } else if (s.kind == SupportKind::kEdgePlane) {
+        r.n[j] = p[3] - p[1], r.n[k] = p[0] - p[2];
+        r.a[j] = p[0], r.a[k] = p[1];
+        r.en[j] = u * std::abs(r.n[j]), r.en[k] = u * std::abs(r.n[k]);
+    } else {
+        for (std::size_t x = 0; x < 3; ++x) {
+            const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+            const double first = (p[3 + y] - p[y]) * (p[6 + z] - p[z]), second = (p[3 + z] - p[z]) * (p[6 + y] - p[y]);
+            r.n[x] = first - second;
+            r.en[x] = 5 * u * (std::abs(first) + std::abs(second));
+            r.a[x] = p[x];
+        }
+    }
+    return r;
+}
+
+struct Interval {
+    double lo = 0, hi = 0;
+};
+
+Interval quotient(const Interval& a, const Interval& b) {
+    const double w = a.lo / b.lo, x = a.lo / b.hi, y = a.hi / b.lo, z = a.hi / b.hi;
+    const double lo = std::min(std::min(w, x), std::min(y, z)), hi = std::max(std::max(w, x), std::max(y, z));
+    return {lo - std::abs(lo) * (kRoom - 1), hi + std::abs(hi) * (kRoom - 1)};
+}
+
+// Of the t at which a surface is met, where the tile tells on which side it begins.
+struct Range {
+    Interval t;
+    bool entering = false, leaving = false;
+};
+
+// One cell's surfaces as they gather.
+class CellFolder {
+public:
+    CellFolder(const Program& program, const TileScope& scope, std::vector<TileSurface>& surfaces)
+        : program_(program), scope_(scope), surfaces_(surfaces), first_(surfaces.size()) {}
+
+    // False: some kind that packets do not know.
+    bool add(const HalfSpace& h) {
+        const Support& s = program_.classes[h.id()];
+        TileSurface t;
+        t.support = &s;
+        t.inverted = h.inverted();
+        t.id = std::uint64_t{h.id()} << 1;
+        t.axis = s.axis;
+        t.frame = s.frame;
+        if (program_.frames[s.frame].motion != 0) return false;
+        if (s.kind == SupportKind::kAxisPlane && s.frame == 0) return add_axis_plane(t);
+        const TileLine& line = line_of(s.frame);
+        if (is_plane(s.kind)) return add_plane(t, line);
+        if (s.kind == SupportKind::kBall) return add_round(t, line, {s.p[0], s.p[1], s.p[2]}, s.p[3]);
+        if (s.kind != SupportKind::kCylinder) return false;
+        std::array<double, 3> centre{};
+        centre[(s.axis + 1u) % 3] = s.p[0];
+        centre[(s.axis + 2u) % 3] = s.p[1];
+        return add_round(t, line, centre, s.p[2]);
+    }
+
+    // Drops the planes that others always come behind (on the way in) or before (on the way out). False: the tile leaves before it enters.
+    bool finish(double& near, double& far) {
+        if (last_in_ > first_out_) return false;
+        std::size_t kept = first_;
+        for (std::size_t i = first_; i < surfaces_.size() && i - first_ < ranged_; ++i) {
+            const Range& range = ranges_[i - first_];
+            if ((range.entering && range.t.hi < last_in_) || (range.leaving && range.t.lo > first_out_)) continue;
+            surfaces_[kept++] = surfaces_[i];
+        }
+        for (std::size_t i = first_ + ranged_; i < surfaces_.size(); ++i) surfaces_[kept++] = surfaces_[i];
+        surfaces_.resize(kept);
+        near = std::max(near, last_in_);
+        far = std::min(far, first_out_);
+        return near <= far;
+    }
+
+    double error() const { return error_; }
+
+private:
+    const TileLine& line_of(FrameId id) {
+        if (id == 0) return scope_.root;
+        if (in_local_ != id) {
+            local_ = line_in_frame(scope_.root, program_.frames[id]);
+            in_local_ = id;
+        }
+        return local_;
+    }
+
+    bool add_axis_plane(TileSurface& t) {
+        t.value = t.support->p[0];
+        const std::size_t i = t.axis;
+        const double d_lo = scope_.root.d_lo[i], d_hi = scope_.root.d_hi[i];
+        Range range;
+        if (d_lo > 0 || d_hi < 0) {
+            range.leaving = (d_lo > 0) != t.inverted;
+            range.entering = !range.leaving;
+            range.t = quotient({lower(t.value - scope_.root.o_hi[i]), upper(t.value - scope_.root.o_lo[i])}, {d_lo, d_hi});
+        }
+        t.kind = range.entering ? TileSurface::Kind::kEntering : range.leaving ? TileSurface::Kind::kLeaving : TileSurface::Kind::kCrossing;
+        take(t, range, 4 * u * scope_.horizon);
+        return true;
+    }
+
+    bool add_plane(TileSurface& t, const TileLine& line) {
+        const PlaneNumbers p = plane_numbers(*t.support);
+        Interval v{-p.d, -p.d}, s;
+        double size = std::abs(p.d), slope = 0, ev = 0, es = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double q_lo = line.o_lo[i] - p.a[i], q_hi = line.o_hi[i] - p.a[i], q = largest(q_lo, q_hi), d = largest(line.d_lo[i], line.d_hi[i]);
+            const double n = std::abs(p.n[i]), most = n + p.en[i];
+            v.lo += std::min(p.n[i] * q_lo, p.n[i] * q_hi), v.hi += std::max(p.n[i] * q_lo, p.n[i] * q_hi);
+            s.lo += std::min(p.n[i] * line.d_lo[i], p.n[i] * line.d_hi[i]), s.hi += std::max(p.n[i] * line.d_lo[i], p.n[i] * line.d_hi[i]);
+            size += n * q;
+            slope += n * d;
+            ev += p.en[i] * q + most * line.eo[i];
+            es += p.en[i] * d + most * line.ed[i];
+        }
+        ev = (ev + 8 * u * size) * kRoom;
+        es = (es + 8 * u * slope) * kRoom;
+        v.lo -= ev, v.hi += ev, s.lo -= es, s.hi += es;
+        t.kind = TileSurface::Kind::kPlane;
+        t.least_slope = std::max(smallest(s.lo, s.hi), kLeastSlope * largest(s.lo, s.hi));
+        if (!(t.least_slope > 4 * es)) return false;
+        Range range;
+        if (smallest(s.lo, s.hi) >= t.least_slope) {
+            range.leaving = (s.lo > 0) != t.inverted;
+            range.entering = !range.leaving;
+            range.t = quotient({-v.hi, -v.lo}, s);
+        }
+        // (ev + |t| es) / (|s| - es), as a ray's own bound.
+        take(t, range, 1.5 * (ev + scope_.horizon * es) / t.least_slope + 4 * u * scope_.horizon);
+        return true;
+    }
+
+    bool add_round(TileSurface& t, const TileLine& line, const std::array<double, 3>& centre, double r) {
+        const bool ball = t.support->kind == SupportKind::kBall;
+        t.kind = ball ? TileSurface::Kind::kBall : TileSurface::Kind::kCylinder;
+        t.round = round_limits(line, centre, r, ball, t.axis);
+        const std::size_t i = (t.axis + 1u) % 3, j = (t.axis + 2u) % 3;
+        t.still = !ball && largest(line.d_lo[i], line.d_hi[i]) == 0 && largest(line.d_lo[j], line.d_hi[j]) == 0;
+        if (!(t.round.missed < HUGE_VAL)) return false;
+        take(t, {}, t.still ? 0 : t.round.error + 2 * u * scope_.horizon);
+        return true;
+    }
+
+    void take(const TileSurface& t, Range range, double error) {
+        surfaces_.push_back(t);
+        error_ = std::max(error_, error);
+        // Two crossings in this order are certain where their ranges, with the errors of both, lie apart.
+        range.t.lo -= 4 * error, range.t.hi += 4 * error;
+        if (range.entering) last_in_ = std::max(last_in_, range.t.lo);
+        if (range.leaving) first_out_ = std::min(first_out_, range.t.hi);
+        if (ranged_ < ranges_.size()) ranges_[ranged_++] = range;
+    }
+
+    static double lower(double x) { return x - std::abs(x) * (kRoom - 1); }
+    static double upper(double x) { return x + std::abs(x) * (kRoom - 1); }
+
+    const Program& program_;
+    const TileScope& scope_;
+    std::vector<TileSurface>& surfaces_;
+    std::size_t first_;
+    std::array<Range, 32> ranges_;  // of the first so many surfaces; further ones stay
+    std::size_t ranged_ = 0;
+    TileLine local_;
+    FrameId in_local_ = 0;
+    double error_ = 0, last_in_ = -HUGE_VAL, first_out_ = HUGE_VAL;
+};
+
+}  // namespace
+
+// The names are those of round_crossing (crossing_kernel.inc), each the largest it takes on a lane that is met: there p^2 <= r^2 but for rounding.
+RoundLimits round_limits(const TileLine& line, const std::array<double, 3>& centre, double r, bool ball, std::size_t axis) {
+    double o = 0, d = 0, a_lo = 0, a_hi = 0, eo = 0, ed = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!ball && i == axis) continue;
+        const double most = largest(line.d_lo[i], line.d_hi[i]), least = smallest(line.d_lo[i], line.d_hi[i]);
+        o += largest(line.o_lo[i] - centre[i], line.o_hi[i] - centre[i]);
+        d += most;
+        a_lo += least * least;
+        a_hi += most * most;
+        eo = std::max(eo, line.eo[i]);
+        ed = std::max(ed, line.ed[i]);
+    }
+    RoundLimits limits;
+    o *= kRoom;
+    const bool still = a_hi == 0 && ed == 0;
+    const double least_a = still ? 1 : std::max(a_lo / kRoom, kLeastAcross * a_hi), root_a = std::sqrt(least_a);
+    const double ea = (2 * d * ed + 3 * ed * ed + 4 * u * a_hi) * kRoom;
+    const double ep = (eo + o / root_a * ed) * kRoom + 10 * u * o;  // |o| + |step| <= (1 + sqrt 3) |o|, three units each
+    if (!(least_a > 8 * ea) || !(ep <= 0.0625 * r)) return limits;
+    const double p = 2 * r;  // sum of |p_i|: sqrt 3 times 1.125 r
+    const double eb = (d * ep + p * ed + 3 * ep * ed + 4 * u * d * p) * kRoom;
+    const double ec = (2 * p * ep + 3 * ep * ep + 16 * u * r * r) * kRoom;
+    const double off = (8 * u * o * d + d * eo + o * ed + o / root_a * ea) * kRoom;  // a times the distance from the closest approach
+    const double b = off + eb, rr = 1.27 * r * r;
+    const double ec_far = (4 * p * ep + 3 * ep * ep + 32 * u * r * r) * kRoom;  // as far out as p = 2 r; beyond, c leaves no doubt
+    limits.missed = (ec_far + off * off / least_a) * kRoom;
+    limits.least_a = still ? HUGE_VAL : least_a;
+    if (still) return limits;
+    const double edisc = (2 * b * eb + eb * eb + a_hi * ec + rr * ea + ea * ec + 4 * u * (b * b + a_hi * rr)) * kRoom;
+    limits.met = std::max(kLeastCosine * kLeastCosine * least_a * r * r, 4 * edisc);
+    const double half = 1.2 * r / root_a + b / least_a;
+    limits.error = 1.1 * ((eb + 0.625 * edisc / std::sqrt(limits.met)) / least_a + half * (ea / least_a + 8 * u));
+    return limits;
+}
+
+bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf, std::vector<TileSurface>& surfaces, TileCell& cell, double& error, double& near,
+               double& far) {
+    cell.first = static_cast<std::uint32_t>(surfaces.size());
+    cell.known = leaf.kind == FormulaKind::kCell;
+    CellFolder folder(program, scope, surfaces);
+    bool met = true;
+    for (std::uint32_t k = 0; cell.known && k < leaf.count; ++k) cell.known = folder.add(program.half_spaces[leaf.first + k]);
+    if (cell.known) {
+        met = folder.finish(near, far);
+        error = std::max(error, folder.error());
+    }
+    if (!cell.known || !met) surfaces.resize(cell.first);
+    cell.count = static_cast<std::uint32_t>(surfaces.size()) - cell.first;
+    return met;
+}
+
+}  // namespace whittle
