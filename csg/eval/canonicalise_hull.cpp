@@ -96,7 +96,7 @@ bool Canonicaliser::has_corners_only(NodeId id) const {
 // Said once: what no exact form was found for.
 void Canonicaliser::note_fallbacks() {
     for (const auto& [module, count] : fallbacks_)
-        diagnostics_.add(Severity::kNote, {}, fmt::format("{}() has no exact form here: {} {} went through a mesh within the tolerance", module, count, count == 1 ? "operand" : "operands"));
+        diagnostics_.add(Severity::kNote, {}, fmt::format("{}() has no exact form here: {} {} went through chords or a mesh within the tolerance", module, count, count == 1 ? "operand" : "operands"));
 }
 
 Made Canonicaliser::hulled(SceneNodeId id) {

@@ -19,6 +19,9 @@ bool has_straight_sides(const Solid& solid, NodeId id) {
     return std::all_of(operands.begin(), operands.end(), [&](const Use& use) { return has_straight_sides(solid, use.node); });
 }
 
+// Of a circle where curves were meant and only chords can be grown: within 2^-14 of its radius.
+constexpr int kSmoothFacets = 288;
+
 bool is_translation(const Placement& a) { return a == Placement::translation({a.offset(0), a.offset(1), 0}); }
 
 Contours outline(const SolidBuilder& builder, NodeId node) {
@@ -75,6 +78,15 @@ std::optional<Use> Canonicaliser::grown(const Use& flat, double delta) {
     return whole;
 }
 
+// The outline, its curves as chords, grown as OpenSCAD grows it.
+Use Canonicaliser::offset_by_chords(const Use& flat, double delta, Join join, int fragments) {
+    if (!has_straight_sides(builder_.so_far(), flat.node)) fallbacks_.emplace("offset", 0).first->second++;
+    Use use;
+    Contours contours = offset_contours(outline(builder_, node_of(flat)), delta, join, fragments);
+    if (!contours.empty()) use.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(contours))});
+    return use;
+}
+
 Made Canonicaliser::offset(SceneNodeId id, const scene::Offset& what) {
     const SceneNode& node = scene_.nodes[id];
     const Use flat = profile(id);
@@ -83,17 +95,14 @@ Made Canonicaliser::offset(SceneNodeId id, const scene::Offset& what) {
     Made made{flat, Dimension::kFlat};
     const int n = what.round ? facets_of_circle(node, std::fabs(what.delta)) : 0;
     if (what.delta == 0) return made;
-    if (what.round && n == 0) {
+    const auto* shape = std::get_if<Shape>(&builder_.node(flat.node));
+    const bool is_disc = shape && std::holds_alternative<shape::Disc>(*shape);  // has no corners: any join is round
+    if (n == 0 && (what.round || is_disc)) {
         const auto whole = grown(flat, what.delta);
-        if (!whole) return left_out(node.place, "offset() of curved cuts is not supported yet, left out", "$fn makes facets of the curves: those can be offset");
-        made.use = *whole;
+        made.use = whole ? *whole : offset_by_chords(flat, what.delta, Join::kRound, kSmoothFacets);
     } else {
-        if (!has_straight_sides(builder_.so_far(), flat.node)) return left_out(node.place, "offset() by facets of a true curve is not supported yet, left out");
         const Join join = what.round ? Join::kRound : what.chamfer ? Join::kSquare : Join::kMiter;
-        Contours contours = offset_contours(outline(builder_, node_of(flat)), what.delta, join, n);
-        if (contours.empty()) return {};
-        made.use = Use{};
-        made.use.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(contours))});
+        made.use = offset_by_chords(flat, what.delta, join, n);
     }
     if (made.use.node == kEmptyNode) return {};
     if (profile_depth_ == 0) made.use = builder_.labelled({{}, node.place, {}}, made.use);

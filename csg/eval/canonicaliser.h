@@ -8,6 +8,7 @@
 #include "csg/eval/canonicalise.h"
 #include "csg/solid/facets.h"
 #include "csg/solid/imported.h"
+#include "csg/solid/profile.h"
 
 namespace whittle {
 
@@ -85,6 +86,7 @@ private:
     Made offset(SceneNodeId id, const scene::Offset& what);
     std::optional<Use> grown(const Use& flat, double delta);
     Use grown_outline(const Use& flat, double delta);
+    Use offset_by_chords(const Use& flat, double delta, Join join, int fragments);
 
     // Hull, minkowski, projection, fill, roof (canonicalise_hull.cpp).
     Made hulled(SceneNodeId id);
