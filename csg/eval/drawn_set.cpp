@@ -13,6 +13,10 @@ namespace {
 
 // Halvings of an arc at most: pieces of a 64th of it.
 constexpr int kMostHalvings = 6;
+// Centres and radii of arcs of one circle differ by the rounding of their ends.
+constexpr double kSameCircle = 0x1p-40;
+// An angle that went through a tangent and back must not count one facet more.
+constexpr double kCountSlack = 0x1p-32;
 
 // A side with both ends: straight where bulge is 0.
 struct Side {
@@ -92,17 +96,25 @@ private:
             if (to != at) out.push_back({at, to, 0, 0});
             at = to;
         };
-        for (const DrawnSide& side : contour.sides) {
+        for (std::size_t i = 0; i < contour.sides.size(); ++i) {
+            const DrawnSide& side = contour.sides[i];
             const Side arc{at, side.end(), side.bulge, 0};
             if (side.degree > 1) {
                 const int asked = facets_(size_);
                 const int n = asked > 0 ? std::max(2, asked / 8 + 1) : chords_of(at, side, size_ * kProfileTolerance / 8);
                 const Vec2 start = at;
-                for (int i = 1; i <= n; ++i) line_to(i == n ? side.end() : bezier_point(start, side, 1.0 * i / n));
+                for (int k = 1; k <= n; ++k) line_to(k == n ? side.end() : bezier_point(start, side, 1.0 * k / n));
             } else if (side.bulge == 0 || arc.a == arc.b) {
                 line_to(side.end());
             } else if (const int n = facets_(radius_of(arc)); n > 0) {
-                add_chords(arc, n, line_to);
+                // Arcs that go on along the same circle are one.
+                double turn_deg = angle_deg(arc);
+                for (Vec2 from = arc.b; i + 1 < contour.sides.size(); ++i, from = contour.sides[i].end()) {
+                    const Side next{from, contour.sides[i + 1].end(), contour.sides[i + 1].bulge, 0};
+                    if (contour.sides[i + 1].degree > 1 || !same_circle(arc, next)) break;
+                    turn_deg += angle_deg(next);
+                }
+                add_chords(arc, turn_deg, contour.sides[i].end(), n, line_to);
             } else {
                 add_arc(out, arc);
                 at = side.end();
@@ -122,16 +134,21 @@ private:
         add_arc(out, first);
         add_arc(out, second);
     }
+    static double angle_deg(const Side& arc) { return 4 * std::atan(arc.bulge) / kRadiansPerDegree; }
+    static bool same_circle(const Side& a, const Side& b) {
+        if (a.bulge == 0 || b.bulge == 0 || (a.bulge > 0) != (b.bulge > 0) || b.a == b.b) return false;
+        return glm::length(centre_of(a) - centre_of(b)) + std::fabs(radius_of(a) - radius_of(b)) <= kSameCircle * (glm::length(centre_of(a)) + radius_of(a));
+    }
+    // From arc.a by `turn_deg` around the arc's centre to `end`.
     template <class LineTo>
-    static void add_chords(const Side& arc, int around, LineTo line_to) {
-        const double angle_deg = 4 * std::atan(arc.bulge) / kRadiansPerDegree;
-        const int n = std::max(1, static_cast<int>(std::ceil(around * std::fabs(angle_deg) / 360)));
+    static void add_chords(const Side& arc, double turn_deg, Vec2 end, int around, LineTo line_to) {
+        const int n = std::max(1, static_cast<int>(std::ceil(around * std::fabs(turn_deg) / 360 - kCountSlack)));
         const Vec2 c = centre_of(arc), from = arc.a - c;
         for (int i = 1; i < n; ++i) {
-            const double turn = angle_deg * i / n;
+            const double turn = turn_deg * i / n;
             line_to(c + Vec2(from.x * cosd(turn) - from.y * sind(turn), from.x * sind(turn) + from.y * cosd(turn)));
         }
-        line_to(arc.b);
+        line_to(end);
     }
 
     // A contour of arcs about one centre, all turning one way: the disc it is.
@@ -144,8 +161,7 @@ private:
             const Side arc{at, side.end(), side.bulge, 0};
             if (side.degree > 1 || side.bulge == 0 || arc.a == arc.b) return std::nullopt;
             if (i == 0) centre = centre_of(arc), radius = radius_of(arc);
-            // Centres and radii of arcs of one circle differ by the rounding of their ends.
-            if (glm::length(centre_of(arc) - centre) + std::fabs(radius_of(arc) - radius) > 0x1p-44 * (glm::length(centre) + radius)) return std::nullopt;
+            if (glm::length(centre_of(arc) - centre) + std::fabs(radius_of(arc) - radius) > kSameCircle * (glm::length(centre) + radius)) return std::nullopt;
             turned += 4 * std::atan(side.bulge);
             at = side.end();
         }

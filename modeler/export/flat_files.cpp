@@ -116,9 +116,8 @@ std::string svg_text(const std::vector<Outline>& outlines) {
     const OutlineBox box = box_of(outlines);
     const Vec2 size = box.hi - box.lo;
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    out += fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {0} {1}\">\n", shortest(size.x), shortest(size.y),
-                       shortest(box.lo.x), shortest(-box.hi.y));
-    out += "<path d=\"";
+    out += fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n", shortest(size.x), shortest(size.y));
+    out += fmt::format("<path transform=\"translate({} {})\" d=\"", shortest(-box.lo.x), shortest(box.hi.y));
     for (const Outline& o : outlines) {
         out += fmt::format("M {} {}", shortest(o.start.x), shortest(-o.start.y));
         for (const OutlineSide& s : o.sides) {

@@ -1,5 +1,6 @@
 #include "modeler/export/pov.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -39,7 +40,7 @@ std::string texture_of(const Surface& s) {
 
 class PovWriter {
 public:
-    PovWriter(const Solid& solid, const MeshOptions& mesh, PovFile& file) : solid_(solid), mesh_options_(mesh), file_(file) {}
+    PovWriter(const Solid& solid, const MeshOptions& mesh, PovFile& file) : solid_(solid), mesh_options_(mesh), file_(file), inner_faces_show_(is_see_through(solid)) {}
 
     Result<void> write() {
         const auto root = object(solid_.root(), Material{}, false);
@@ -51,6 +52,19 @@ public:
     }
 
 private:
+    // POV-Ray's union is quicker than its merge, and the same where nobody can see inside.
+    static bool is_see_through(const Solid& solid) {
+        const auto shows = [&](const Use& use) {
+            const Material& m = solid.label(use.label).material;
+            return is_clear(m) || (m.color && m.color->w >= 0 && m.color->w < 1);
+        };
+        if (solid.root().node == kEmptyNode) return false;
+        bool any = shows(solid.root());
+        for (NodeId id = 0; id < solid.node_count(); ++id)
+            if (const auto* c = std::get_if<Combination>(&solid.node(id))) any = any || std::any_of(c->operands.begin(), c->operands.end(), shows);
+        return any;
+    }
+
     // "object{n7 matrix<...>}" after its declaration.
     Result<std::string> object(const Use& use, const Material& outer, bool cuts) {
         const Material material = use.label == kNoLabel ? outer : nested(outer, solid_.label(use.label).material);
@@ -89,30 +103,34 @@ private:
         return materials_.size() - 1;
     }
 
+    const char* opening_of(SetOp op) const { return op == SetOp::kUnion ? (inner_faces_show_ ? "merge{" : "union{") : op == SetOp::kIntersection ? "intersection{" : "difference{"; }
+
     Result<std::string> combination(const Combination& c, const Material& material, bool cuts) {
-        std::string out = c.op == SetOp::kUnion ? "merge{" : c.op == SetOp::kIntersection ? "intersection{" : "difference{";
+        std::string out = c.operands.size() == 1 ? "object{" : opening_of(c.op);
         for (std::size_t i = 0; i < c.operands.size(); ++i) {
             const auto operand = object(c.operands[i], material, c.op == SetOp::kDifference && i > 0 ? !cuts : cuts);
             if (!operand) return operand;
             out += (i > 0 ? " " : "") + *operand;
         }
-        return c.op == SetOp::kDifference ? out + " cutaway_textures" : out;
+        return c.op == SetOp::kDifference && c.operands.size() > 1 ? out + " cutaway_textures" : out;
     }
 
     Result<std::string> leaf(NodeId node, const Shape& shape) {
         if (auto direct = pov_shape(shape)) return *direct;
         if (const auto* e = std::get_if<shape::Extrusion>(&shape); e && e->twist_deg == 0 && e->scale_top == Vec2(1))
-            if (auto raised = raised_set(e->profile, *e)) return "object{" + declare(*raised + "}");
+            if (auto raised = raised_set(e->profile, e->z0, e->z1)) return "object{" + declare(*raised + "}");
         if (const auto* r = std::get_if<shape::Revolution>(&shape); r && r->fragments == 0)
             if (auto turned = turned_set(r->profile, {})) return "object{" + in_wedge(declare(*turned + "}"), *r);
         return mesh(node);
     }
 
-    // Extruding commutes with set operations and with placements in the plane.
-    std::optional<std::string> raised_set(NodeId node, const shape::Extrusion& e) {
-        if (const auto* shape = std::get_if<Shape>(&solid_.node(node))) return pov_raised(*shape, e.z0, e.z1);
-        return flat_set(std::get<Combination>(solid_.node(node)), [&](const Use& use) -> std::optional<std::string> {
-            const auto body = raised_set(use.node, e);
+    // Extruding commutes with set operations and with placements in the plane. What cuts stands out at both ends, so that no caps coincide.
+    std::optional<std::string> raised_set(NodeId node, double z0, double z1) {
+        if (const auto* shape = std::get_if<Shape>(&solid_.node(node))) return pov_raised(*shape, z0, z1);
+        const Combination& c = std::get<Combination>(solid_.node(node));
+        return flat_set(c, [&](const Use& use, bool first) -> std::optional<std::string> {
+            const double out = first || c.op == SetOp::kUnion ? 0 : (z1 - z0) / 2;
+            const auto body = raised_set(use.node, z0 - out, z1 + out);
             if (!body) return std::nullopt;
             return *body + pov_matrix(use.placement);
         });
@@ -120,13 +138,14 @@ private:
     // Turning commutes with set operations beside the axis.
     std::optional<std::string> turned_set(NodeId node, const Placement& placement) {
         if (const auto* shape = std::get_if<Shape>(&solid_.node(node))) return pov_turned(*shape, placement);
-        return flat_set(std::get<Combination>(solid_.node(node)), [&](const Use& use) { return turned_set(use.node, placement * use.placement); });
+        return flat_set(std::get<Combination>(solid_.node(node)), [&](const Use& use, bool) { return turned_set(use.node, placement * use.placement); });
     }
     template <class Operand>
     std::optional<std::string> flat_set(const Combination& c, Operand operand) {
-        std::string out = c.op == SetOp::kUnion ? "merge{" : c.op == SetOp::kIntersection ? "intersection{" : "difference{";
+        if (c.operands.size() == 1) return operand(c.operands[0], true);
+        std::string out = opening_of(c.op);
         for (const Use& use : c.operands) {
-            const auto body = operand(use);
+            const auto body = operand(use, &use == &c.operands.front());
             if (!body) return std::nullopt;
             out += *body + "} ";
         }
@@ -160,6 +179,7 @@ private:
     const Solid& solid_;
     const MeshOptions& mesh_options_;
     PovFile& file_;
+    bool inner_faces_show_;
     std::map<std::tuple<NodeId, std::size_t, bool>, std::string> names_;
     std::vector<Material> materials_;
     std::size_t declared_ = 0, meshes_ = 0;

@@ -46,7 +46,8 @@ private:
         return length.number * inch / request_.dpi;
     }
 
-    // User units to millimetres, y up from the sheet's lower edge.
+    // User units to millimetres, y up from the sheet's lower edge. As in OpenSCAD a unit is a millimetre where there is no viewBox, and a viewBox's
+    // own lower end moves the drawing the other way.
     PlaneMap sheet_of(const xml_node& svg) const {
         const auto box = read_numbers(svg.attribute("viewBox").as_string());
         const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
@@ -57,7 +58,7 @@ private:
             return mm_of(length, of_box * px);
         };
         const double width = side("width", has_box ? box[2] : 0), height = side("height", has_box ? box[3] : 0);
-        if (!has_box) return {px, 0, 0, -px, 0, height};
+        if (!has_box) return {1, 0, 0, -1, 0, height};
         double sx = width / box[2], sy = height / box[3], dx = 0, dy = 0;
         if (std::string_view(svg.attribute("preserveAspectRatio").as_string()).substr(0, 4) != "none") {
             const double s = std::min(sx, sy);
@@ -65,7 +66,7 @@ private:
             dy = (height - s * box[3]) / 2;
             sx = sy = s;
         }
-        return {sx, 0, 0, -sy, dx - sx * box[0], height - dy + sy * box[1]};
+        return {sx, 0, 0, -sy, dx - sx * box[0], height - dy - sy * box[1]};
     }
 
     static bool is_hidden(const xml_node& node) {
@@ -114,7 +115,7 @@ private:
     double length(const xml_node& node, const char* name) const {
         SvgLength out;
         if (!read_length(node.attribute(name).as_string(), out)) return 0;
-        return out.unit.empty() || out.unit == "px" ? out.number : mm_of(out, 0) * request_.dpi / 25.4;
+        return out.unit.empty() || out.unit == "px" || out.unit == "%" ? out.number : mm_of(out, 0) * request_.dpi / 25.4;
     }
 
     void rectangle(OutlineBuilder& builder, const xml_node& node, const PlaneMap& map) const {
