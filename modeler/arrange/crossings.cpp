@@ -42,7 +42,7 @@ public:
                             std::fabs(u.z) * (std::fabs(z) + std::fabs(z2));
         constexpr double kVolumeError = 0x1p-49;  // Shewchuk's (7 + 56e)e is 2^-50.2
         if (std::fabs(det) > kVolumeError * size) return det > 0 ? 1 : -1;
-        if (a == b || a == c || a == d || b == c || b == d || c == d) return 0;
+        if (size == 0 || a == b || a == c || a == d || b == c || b == d || c == d) return 0;
         return exact_volume(a, b, c, d);
     }
     // Sign of the area of (a, b, c) seen along an axis.
@@ -52,6 +52,7 @@ public:
         const double one = u[i] * v[j], two = u[j] * v[i];
         constexpr double kAreaError = 0x1p-51;
         if (std::fabs(one - two) > kAreaError * (std::fabs(one) + std::fabs(two))) return one > two ? 1 : -1;
+        if (one == 0 && two == 0) return 0;
         const auto e = [&](Index q, int k) { return integer(points_[q][k]) - integer(p[k]); };
         return (e(b, i) * e(c, j) - e(b, j) * e(c, i)).sign();
     }

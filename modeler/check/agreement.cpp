@@ -17,6 +17,9 @@ namespace {
 constexpr double kMeshRounding = 0x1p-40;
 // What the spans' own ends and the distances of leaves may lose, likewise.
 constexpr double kOwnRounding = 0x1p-44;
+// Grid steps by which a surface may be off: a corner goes to its grid point, at most half a step in each coordinate, and may take the doubles of another
+// leaf's corner there, half a step further; twice that where two such surfaces bound a film. 4 > 2 * sqrt(3).
+constexpr double kGridSteps = 4;
 // Volumes are compared at so many half widths of the 99 % interval: at 15 degrees of freedom a false alarm in three million checks.
 constexpr double kVolumeIntervals = 3;
 // Lines that measure the exact volume for (iii): its error is then far below what the tessellation takes away.
@@ -61,6 +64,31 @@ ComparisonSums compare_lines(const Comparison& comparison, const Sphere& sphere,
     });
 }
 
+// Line k of those through facets: through a random point of one, at most 45 degrees or so from its normal.
+Ray facet_line(const Mesh& mesh, const Sphere& sphere, const ScrambledSobol& points, std::uint64_t triangle, std::uint32_t k) {
+    const Triangle& t = mesh.triangles[triangle];
+    const Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]], normal = glm::cross(b - a, c - a);
+    const double s = std::sqrt(points.at(k, 0)), u = points.at(k, 1), z = 1 - 2 * points.at(k, 2), phi = 2 * M_PI * points.at(k, 3);
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    const Vec3 any(r * std::cos(phi), r * std::sin(phi), z);
+    const double length = glm::length(normal);
+    const Vec3 d = glm::normalize((length > 0 ? normal / length : Vec3(0)) + any * 0.7);
+    Ray ray;
+    ray.origin = (1 - s) * a + s * (1 - u) * b + s * u * c - 2.25 * sphere.radius * d;
+    ray.direction = d;
+    return ray;
+}
+
+// One line through every facet, or through evenly chosen ones where there are more than `most`.
+ComparisonSums compare_facets(const Comparison& comparison, const Sphere& sphere, std::uint64_t most, const AgreementOptions& options, EngineCounters& counters) {
+    const ScrambledSobol points(mixed(options.seed, 0x6661636574));
+    const std::uint64_t facets = comparison.mesh.triangles.size(), n = std::min(facets, most);
+    return sum_over_lines<ComparisonSums, ComparisonScratch>(n, options.cancel, counters, [&](std::uint64_t k, ComparisonScratch& scratch, ComparisonSums& sums) {
+        const std::uint64_t triangle = n == facets ? k : (k * facets + mixed(options.seed, k) % facets) / n % facets;
+        compare_on_line(comparison, facet_line(comparison.mesh, sphere, points, triangle, static_cast<std::uint32_t>(k)), scratch, sums);
+    });
+}
+
 std::uint64_t lines_each(const Comparison& comparison, const Sphere& sphere, const AgreementOptions& options, EngineCounters& counters) {
     if (options.lines != 0) return (options.lines + kRandomisations - 1) / kRandomisations;
     EngineCounters pilot;
@@ -83,6 +111,13 @@ void set_mesh_facts(Agreement& a, const Mesh& mesh, double extent) {
     a.volume_mesh = {mass.volume, area_error * extent, ErrorKind::kBound};
     a.area_mesh = {mass.area, area_error, ErrorKind::kBound};
     for (std::size_t i = 0; i < 3; ++i) a.centroid_mesh[i] = {mass.centroid[static_cast<int>(i)], 0x1p-46 * extent, ErrorKind::kBound};
+    if (report.open_edges > 0) {
+        Disagreement d;
+        d.kind = DisagreementKind::kOpen;
+        d.distance = static_cast<double>(report.open_edges);
+        ++a.disagreements_in_all;
+        a.disagreements.push_back(d);
+    }
     a.genus = static_cast<int>(report.genus);
     a.components = static_cast<int>(report.components);
 }
@@ -114,6 +149,7 @@ const char* name_of(DisagreementKind kind) {
         case DisagreementKind::kPiece: return "piece";
         case DisagreementKind::kCrossing: return "crossing";
         case DisagreementKind::kOddLine: return "odd";
+        case DisagreementKind::kOpen: return "open";
         case DisagreementKind::kVolume: return "volume";
     }
     return "";
@@ -135,7 +171,7 @@ Result<Agreement> check_agreement(const Solid& solid, const Program& program, co
     const double reach = 2 * sphere.radius + glm::length(sphere.center);
     a.seed = options.seed;
     a.tolerance = leaves->any_curved() ? options.tolerance : 0;
-    a.rounding = (options.rounding > 0 ? options.rounding : kMeshRounding * reach) + kOwnRounding * reach;
+    a.rounding = (options.rounding > 0 ? kGridSteps * options.rounding : kMeshRounding * reach) + kOwnRounding * reach;
     set_spans_facts(a, *measured);
     set_mesh_facts(a, mesh, reach);
 
@@ -154,10 +190,14 @@ Result<Agreement> check_agreement(const Solid& solid, const Program& program, co
         if (options.progress) options.progress(static_cast<double>(r + 1) / kRandomisations);
     }
     a.lines = n * kRandomisations;
+    a.facet_lines = std::min<std::uint64_t>(mesh.triangles.size(), a.lines);
+    ComparisonSums facets = compare_facets(comparison, sphere, a.facet_lines, options, a.counters);
+    facets.chord_spans = facets.chord_mesh = facets.difference = 0;
+    all += facets;
     a.difference_volume = mean_of(difference);
     a.worst = all.worst;
-    a.disagreements = std::move(all.disagreements);
-    a.disagreements_in_all = all.disagreements_in_all;
+    a.disagreements.insert(a.disagreements.end(), all.disagreements.begin(), all.disagreements.end());
+    a.disagreements_in_all += all.disagreements_in_all;
     compare_volumes(a, comparison.curved_bound * (a.area_spans.value + a.area_spans.error));
     if (a.disagreements.size() > options.keep) a.disagreements.resize(options.keep);
     a.agree = a.disagreements_in_all == 0;

@@ -1,7 +1,7 @@
 // agreement.h — are the exact solid and its mesh one thing? Lines through both, judged by a bound that is fixed before any line is shot.
 //
-// Lines are distributed uniformly over the bounding sphere (four coordinates, Owen-scrambled Sobol). On each, the spans of the exact solid and those of
-// the mesh are compared. What may differ is decided by the tolerance of the tessellation and by rounding, never by what is found:
+// Lines are distributed uniformly over the bounding sphere (four coordinates, Owen-scrambled Sobol); as many again, at most, go through the facets of the
+// mesh, one each, so that what is small is looked at too. On each, the spans of the exact solid and those of the mesh are compared. What may differ is decided by the tolerance of the tessellation and by rounding, never by what is found:
 //  (i)   every piece of the symmetric difference lies within `tolerance` of the boundary of some leaf of the solid;
 //  (ii)  every crossing of the mesh, zero-length spans included, lies within `tolerance` of a leaf's boundary and of a change of exact membership,
 //        unless it ends a piece that (i) explains;
@@ -28,7 +28,7 @@ namespace whittle {
 
 struct AgreementOptions {
     double tolerance = 0;     // largest distance between a leaf's surface and its tessellation, as the mesh was made with; 0: facets only
-    double rounding = 0;      // largest move of a mesh vertex by rounding; 0: 2^-40 of the model's extent
+    double rounding = 0;      // step of the grid that leaf corners were put on; 0: 2^-40 of the model's extent is allowed
     std::uint64_t lines = 0;  // 0: by a count of work, about a second
     std::uint64_t seed = 0;
     std::size_t keep = 20;    // disagreements that are listed
@@ -40,6 +40,7 @@ enum class DisagreementKind {
     kPiece,     // (i): in one and not the other, too far from every leaf's boundary
     kCrossing,  // (ii): the mesh has a facet where the exact membership does not change
     kOddLine,   // the line crosses the mesh an odd number of times: the mesh is open
+    kOpen,      // edges whose two directions are used unequally often
     kVolume     // (iii)
 };
 const char* name_of(DisagreementKind kind);
@@ -49,14 +50,15 @@ struct Disagreement {
     Ray ray;                    // the line, as `whittle spans --ray` reads it
     double t0 = 0, t1 = 0;      // the piece; equal for a crossing
     bool in_mesh = false;       // the piece is in the mesh and not in the exact solid
-    double distance = 0;        // from the nearest leaf's boundary, mm (kOddLine: t1; kVolume: the difference, mm^3)
+    double distance = 0;        // from the nearest leaf's boundary, mm (kOddLine: t1; kOpen: the edges; kVolume: the difference, mm^3)
     double bound = 0;           // what was allowed
     SourcePlace place;          // of the nearest leaf
 };
 
 struct Agreement {
     bool agree = true;
-    std::uint64_t lines = 0, seed = 0;
+    std::uint64_t lines = 0, seed = 0;          // uniform lines
+    std::uint64_t facet_lines = 0;              // lines through facets
     double tolerance = 0, rounding = 0;
     Measured volume_spans, volume_mesh, area_spans, area_mesh;  // the mesh's own are exact up to rounding
     std::array<Measured, 3> centroid_spans, centroid_mesh;

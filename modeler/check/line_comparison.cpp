@@ -43,7 +43,7 @@ public:
         explained_.assign(scratch_.crossings.size(), false);
         walk();
         for (std::size_t i = 0; i < scratch_.crossings.size(); ++i)
-            if (!explained_[i] && !is_beside_end(scratch_.crossings[i].t)) judge_crossing(scratch_.crossings[i]);
+            if (!explained_[i] && !is_beside_end(scratch_.crossings[i])) judge_crossing(scratch_.crossings[i]);
     }
 
 private:
@@ -73,11 +73,14 @@ private:
         if (inside.mesh) sums_.chord_mesh += t1 - t0;
         if (inside.exact == inside.mesh) return;
         sums_.difference += t1 - t0;
-        if (t1 - t0 <= c_.flat_bound) return;
+        if (t1 - t0 <= c_.flat_bound + place_error(borders.first) + place_error(borders.last)) return;
         if (borders.first > 0) explained_[borders.first - 1] = true;
         if (borders.last > 0) explained_[borders.last - 1] = true;
         judge_piece(t0, t1, inside.mesh);
     }
+
+    // What the place of a crossing may be off by: much where the ray grazes a sliver.
+    double place_error(std::size_t border) const { return border > 0 ? scratch_.crossings[border - 1].t_error : 0; }
 
     void judge_piece(double t0, double t1, bool in_mesh) {
         LeafDistances::Nearest worst;
@@ -91,9 +94,10 @@ private:
         if (worst.ratio > 1) report(d);
     }
 
-    bool is_beside_end(double t) const {
-        const auto after = std::lower_bound(ends_.begin(), ends_.end(), t - c_.flat_bound);
-        return after != ends_.end() && *after <= t + c_.flat_bound;
+    bool is_beside_end(const Crossing& crossing) const {
+        const double reach = c_.flat_bound + crossing.t_error;
+        const auto after = std::lower_bound(ends_.begin(), ends_.end(), crossing.t - reach);
+        return after != ends_.end() && *after <= crossing.t + reach;
     }
 
     // The mesh has a facet here, and neither a piece nor an exact end goes with it.

@@ -5,12 +5,17 @@
 // point, and a grid point divided by a power of ten is the double nearest to that decimal, so what was written comes back as written.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "csg/base/result.h"
-#include "modeler/mesh/exact_kernel.h"
+#include "modeler/arrange/grid_mesh.h"
+#include "modeler/mesh/mesh.h"
 
 namespace whittle {
+
+// With it, a 3 x 3 determinant of differences stays below 2^127.
+inline constexpr std::int64_t kLargestGridCoordinate = std::int64_t{1} << 40;
 
 // A closed triangulated leaf in doubles.
 struct LeafMesh {

@@ -43,14 +43,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// Pairs of triangles that cross or overlap though they share no edge or vertex there (CGAL's rules).
-// kWorld fault when the CGAL part is not installed.
+// Pairs of triangles that cross or overlap though they share no edge or vertex there, by CGAL: a second opinion, for tests, on what
+// MeshReport::self_intersections says. kWorld fault when the CGAL part is not installed.
 Result<std::uint64_t> count_self_intersections(const Mesh& mesh);
-
-// Convex hull of points, triangles outward; kScene fault when they lie in a plane.
-Result<Mesh> convex_hull(const std::vector<Vec3>& points);
-
-// Minkowski sum of two convex point sets: the hull of pairwise sums.
-Result<Mesh> minkowski_convex(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 
 }  // namespace whittle

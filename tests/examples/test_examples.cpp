@@ -6,7 +6,7 @@
 
 #include "modeler/check/agreement.h"
 #include "modeler/mesh/mesh_queries.h"
-#include "tests/examples/facts.h"
+#include "modeler/check/facts.h"
 #include "tests/examples/scenes.h"
 
 using namespace whittle;

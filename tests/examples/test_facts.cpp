@@ -1,9 +1,9 @@
 // test_facts.cpp — the reader of facts reads what it should and lets nothing slip.
 #include <catch2/catch.hpp>
 
-#include "tests/examples/facts.h"
+#include "modeler/check/facts.h"
 
-using namespace whittle::test;
+using namespace whittle;
 
 TEST_CASE("facts are read with their value, error and reason") {
     const Facts f = facts_of("cube(2);\n// fact: volume = 8; a^3\n// fact: area = 2.4e1 within 1e-6; six faces\n// perturb: a = 2.01\n");

@@ -1,21 +1,17 @@
-// queries_cgal.cpp — the one translation unit of CGAL mesh queries: self-intersections, convex hulls; and the module's door.
+// queries_cgal.cpp — CGAL's answer to whether a mesh crosses itself; a second opinion on crossings.h.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
+#include <CGAL/box_intersection_d.h>
 
-#include <map>
+#include <exception>
 #include <string>
 
-#include "modeler/mesh/cgal/cgal_module.h"
+#include "modeler/mesh/cgal/queries_module.h"
 
 namespace whittle {
 namespace {
 
-namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
 
 std::vector<Point> as_points(const std::vector<Vec3>& points) {
     std::vector<Point> out;
@@ -66,52 +62,26 @@ private:
     const std::vector<Triangle>& triangles_;
 };
 
-class CgalKernel final : public CgalBooleans {
-public:
-    Result<std::uint64_t> self_intersections(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) const override {
-        try {
-            const std::vector<Point> at = as_points(points);
-            using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-            std::vector<Box> boxes;
-            boxes.reserve(triangles.size());
-            for (std::size_t i = 0; i < triangles.size(); ++i)
-                boxes.emplace_back(at[triangles[i][0]].bbox() + at[triangles[i][1]].bbox() + at[triangles[i][2]].bbox(), i);
-            const CrossingTest cross(at, triangles);
-            std::uint64_t count = 0;
-            CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) { count += cross(x.info(), y.info()) ? 1U : 0U; });
-            return count;
-        } catch (const std::exception& e) {
-            return fail(Fault::kWorld, std::string("CGAL: ") + e.what());
-        }
-    }
-
-    Result<Mesh> convex_hull(const std::vector<Vec3>& points) const override {
-        try {
-            const std::vector<Point> at = as_points(points);
-            if (at.size() < 4) return fail(Fault::kScene, "a hull needs four points that do not lie in a plane");
-            Surface hull;
-            CGAL::convex_hull_3(at.begin(), at.end(), hull);
-            if (hull.number_of_faces() < 4) return fail(Fault::kScene, "a hull needs four points that do not lie in a plane");
-            Mesh mesh;
-            for (auto v : hull.vertices()) {
-                const Point& p = hull.point(v);
-                mesh.points.emplace_back(p.x(), p.y(), p.z());
-            }
-            for (auto f : hull.faces()) {
-                const auto h = hull.halfedge(f);
-                mesh.triangles.push_back({hull.source(h), hull.target(h), hull.target(hull.next(h))});
-            }
-            return mesh;
-        } catch (const std::exception& e) {
-            return fail(Fault::kWorld, std::string("CGAL: ") + e.what());
-        }
-    }
-};
-
 }  // namespace
 }  // namespace whittle
 
-extern "C" __attribute__((visibility("default"))) const whittle::ExactKernel* whittle_cgal_kernel() {
-    static const whittle::CgalKernel kernel;
-    return &kernel;
+extern "C" __attribute__((visibility("default"))) bool whittle_cgal_crossings_2(const std::vector<whittle::Vec3>& points,
+                                                                                const std::vector<whittle::Triangle>& triangles, std::uint64_t& count,
+                                                                                std::string& fault) {
+    using namespace whittle;
+    try {
+        const std::vector<Point> at = as_points(points);
+        using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+        std::vector<Box> boxes;
+        boxes.reserve(triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            boxes.emplace_back(at[triangles[i][0]].bbox() + at[triangles[i][1]].bbox() + at[triangles[i][2]].bbox(), i);
+        const CrossingTest cross(at, triangles);
+        count = 0;
+        CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) { count += cross(x.info(), y.info()) ? 1U : 0U; });
+        return true;
+    } catch (const std::exception& e) {
+        fault = e.what();
+        return false;
+    }
 }

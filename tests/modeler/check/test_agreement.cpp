@@ -1,9 +1,10 @@
 // test_agreement.cpp — right meshes agree; meshes with a planted fault do not. Place and size of a fault come from a printed seed.
-#include <functional>
+#include <iterator>
 #include <random>
 
 #include "modeler/check/agreement.h"
 #include "tests/modeler/check/check_solids.h"
+#include "tests/modeler/check/faults.h"
 #include "tests/support/random_solid.h"
 
 using namespace whittle;
@@ -37,65 +38,6 @@ Solid box_and_ball() {
     return b.finish(use(b.combine(SetOp::kUnion, {use(hollow), use(ball, Placement::translation({0, 0, 5}))})));
 }
 
-Mesh cuboid(Vec3 lo, Vec3 hi, bool outward) {
-    Mesh m;
-    for (int k = 0; k < 8; ++k) m.points.push_back({k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z});
-    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    if (!outward)
-        for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
-    return m;
-}
-
-void append(Mesh& mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-    for (const Triangle& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    mesh.leaf.clear();
-}
-
-using Fault = std::function<void(Mesh&, double, std::mt19937_64&)>;
-struct NamedFault { const char* name; Fault plant; };
-
-// Each moves or adds something by at least `size`.
-const std::vector<NamedFault>& faults() {
-    static const std::vector<NamedFault> list{
-        {"a moved vertex", [](Mesh& m, double, std::mt19937_64& random) { m.points[random() % m.points.size()] += Vec3(0.9, -0.8, 0.7); }},
-        {"a flipped facet", [](Mesh& m, double, std::mt19937_64& random) {
-             // One of the larger half of the facets: a sliver is a matter of luck for any number of lines.
-             const auto area = [&](const Triangle& t) { return glm::length(glm::cross(m.points[t[1]] - m.points[t[0]], m.points[t[2]] - m.points[t[0]])); };
-             std::stable_sort(m.triangles.begin(), m.triangles.end(), [&](const Triangle& a, const Triangle& b) { return area(a) > area(b); });
-             std::swap(m.triangles[random() % (m.triangles.size() / 50 + 1)][1], m.triangles[0][1]);
-             std::swap(m.triangles[0][1], m.triangles[0][2]);
-         }},
-        {"an inner film", [](Mesh& m, double size, std::mt19937_64&) { append(m, cuboid({-3.5, -3.5, -3}, {3.5, 3.5, -3 + size}, false)); }},
-        {"a film of no thickness", [](Mesh& m, double, std::mt19937_64&) {
-             append(m, cuboid({-3.5, -3.5, -3}, {3.5, 3.5, -3}, true));
-         }},
-        {"a film outside", [](Mesh& m, double size, std::mt19937_64&) { append(m, cuboid({-3, -3, -6}, {3, 3, -6 + size}, true)); }},
-        {"a shifted part", [](Mesh& m, double size, std::mt19937_64& random) {
-             const Vec3 by = size * glm::normalize(Vec3(1, 2, random() % 3));
-             for (Vec3& p : m.points) p += by;
-         }},
-        {"a wrong size", [](Mesh& m, double size, std::mt19937_64&) {
-             for (Vec3& p : m.points) p *= 1 + size / 4;
-         }},
-        {"a mirrored part", [](Mesh& m, double, std::mt19937_64&) {
-             for (Vec3& p : m.points) p.z = -p.z;
-             for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
-         }},
-        {"an inverted mesh", [](Mesh& m, double, std::mt19937_64&) {
-             for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
-         }},
-        {"a dropped shell", [](Mesh& m, double, std::mt19937_64&) { m.triangles.clear(); }},
-        {"a mesh twice", [](Mesh& m, double size, std::mt19937_64&) {
-             Mesh copy = m;
-             for (Vec3& p : copy.points) p += Vec3(size, size, size);
-             append(m, copy);
-         }},
-    };
-    return list;
-}
-
 }  // namespace
 
 TEST_CASE("exact solids and their meshes agree, and their volumes do") {
@@ -122,41 +64,82 @@ TEST_CASE("flat solids are allowed rounding alone") {
     CHECK_FALSE(agreement(solid, made, moved).agree);
 }
 
-TEST_CASE("every planted fault is found") {
-    const Solid solid = box_and_ball();
-    const MeshResult made = meshed(solid);
-    const double tolerance = made.tolerance_mm;
-    REQUIRE(tolerance > 0);
-    for (const NamedFault& fault : faults())
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-            CAPTURE(fault.name, seed, tolerance);
-            std::mt19937_64 random(seed);
-            Mesh mesh = made.mesh;
-            fault.plant(mesh, 3 * tolerance, random);
-            const Agreement a = agreement(solid, made, mesh, 16384);
-            CHECK_FALSE(a.agree);
-            CHECK(a.disagreements_in_all > 0);
-        }
+namespace {
+
+// How many of the seeds go undetected, per kind.
+std::uint64_t undetected(const NamedFault& fault, const Subject& subject, const Program& program, std::uint64_t seeds) {
+    std::uint64_t missed = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        std::mt19937_64 random(seed);
+        AgreementOptions options;
+        options.tolerance = subject.made.tolerance_mm;
+        options.rounding = subject.made.grid_mm;
+        options.lines = 4096;
+        options.seed = seed;
+        const auto a = check_agreement(subject.solid, program, fault.plant(subject, 3 * subject.made.tolerance_mm, random), options);
+        REQUIRE(a);
+        if (a->agree) UNSCOPED_INFO(fault.name << " of seed " << seed << " was not seen");
+        missed += a->agree ? 1U : 0U;
+    }
+    return missed;
 }
 
-TEST_CASE("a mesh of another solid disagrees: a missing hole, a wrong radius, a swapped operand") {
-    const Solid right = box_and_ball();
-    const MeshResult made = meshed(right);
-    const double t = made.tolerance_mm;
-    const auto other = [&](double radius, double rod, bool swapped) {
-        SolidBuilder b;
-        const NodeId box = b.shape(shape::Box{Vec3(-4), Vec3(4)});
-        const NodeId ball = b.shape(shape::Ellipsoid{Vec3(radius)});
-        const Use bore = use(b.shape(shape::Frustum{-9, 9, rod, rod}), tilted(90));
-        const NodeId hollow = swapped ? b.combine(SetOp::kDifference, {bore, use(box)}) : b.combine(SetOp::kDifference, {use(box), bore});
-        return b.finish(use(b.combine(SetOp::kUnion, {use(rod > 0.01 ? hollow : box), use(ball, Placement::translation({0, 0, 5}))})));
-    };
-    CHECK_FALSE(agreement(right, made, meshed(other(3, 0.001, false)).mesh).agree);
-    CHECK_FALSE(agreement(right, made, meshed(other(3, 1 + 3 * t, false)).mesh, 16384).agree);
-    CHECK_FALSE(agreement(right, made, meshed(other(3 + 3 * t, 1, false)).mesh).agree);
-    CHECK_FALSE(agreement(right, made, meshed(other(3, 1, true)).mesh).agree);
-    CHECK(agreement(right, made, meshed(other(3, 1, false)).mesh).agree);
+}  // namespace
+
+TEST_CASE("every kind of planted fault is found") {
+    const Subject s = subject(0.02);
+    const auto program = compiled(s.solid);
+    CHECK(faults().size() >= 20);
+    for (const NamedFault& fault : faults()) CHECK(undetected(fault, s, *program, 1) == 0);
 }
+
+TEST_CASE("of a hundred seeds of every fault 99 are found", "[.][soak]") {
+    const Subject s = subject(0.02);
+    const auto program = compiled(s.solid);
+    for (const NamedFault& fault : faults()) {
+        const std::uint64_t missed = undetected(fault, s, *program, 100);
+        WARN(fault.name << ": " << 100 - missed << " of 100");
+        CHECK(missed <= 1);
+    }
+}
+
+namespace {
+
+// Random trees whose meshes agree, of `count`; the others are named.
+std::uint64_t agreeing_trees(std::uint64_t count) {
+    std::uint64_t good = 0;
+    constexpr support::Theme kThemes[] = {support::Theme::kPlanes, support::Theme::kRound, support::Theme::kEverything, support::Theme::kStack,
+                                          support::Theme::kInstances, support::Theme::kChain};
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const support::Theme theme = kThemes[i % std::size(kThemes)];
+        const support::RandomSolid tree = support::random_solid(theme, 1 + i / std::size(kThemes));
+        MeshControl control;
+        const auto made = mesh_solid(tree.solid, {}, control);
+        const auto program = compile(tree.solid);
+        if (!made || !program) {
+            WARN(support::name_of(theme) << " " << 1 + i / std::size(kThemes) << ": " << (made ? program.error().message : made.error().message));
+            continue;
+        }
+        AgreementOptions options;
+        options.tolerance = made->tolerance_mm;
+        options.rounding = made->grid_mm;
+        options.lines = 2048;
+        const auto a = check_agreement(tree.solid, **program, made->mesh, options);
+        if (a && a->agree) {
+            ++good;
+            continue;
+        }
+        WARN(support::name_of(theme) << " " << 1 + i / std::size(kThemes) << ": " << (a ? name_of(a->worst.kind) : a.error().message.c_str()) << " off by "
+                                     << (a ? a->worst.distance : 0) << " of " << (a ? a->worst.bound : 0) << ", " << (a ? a->disagreements_in_all : 0) << " in all");
+    }
+    return good;
+}
+
+}  // namespace
+
+TEST_CASE("meshes of random trees agree with their spans") { CHECK(agreeing_trees(12) == 12); }
+
+TEST_CASE("meshes of 300 random trees agree with their spans", "[.][soak]") { CHECK(agreeing_trees(300) == 300); }
 
 TEST_CASE("a disagreement names the line that shows it and the source line nearest to it") {
     SolidBuilder b;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace whittle::test {
+namespace whittle {
 
 struct Fact {
     std::string name;
@@ -32,4 +32,4 @@ struct Facts {
 
 Facts facts_of(const std::string& text);
 
-}  // namespace whittle::test
+}  // namespace whittle

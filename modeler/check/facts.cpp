@@ -1,10 +1,10 @@
 // facts.cpp — line by line; a line that begins like a fact and cannot be read is reported, never skipped.
-#include "tests/examples/facts.h"
+#include "modeler/check/facts.h"
 
 #include <regex>
 #include <sstream>
 
-namespace whittle::test {
+namespace whittle {
 
 namespace {
 
@@ -42,4 +42,4 @@ Facts facts_of(const std::string& text) {
     return r;
 }
 
-}  // namespace whittle::test
+}  // namespace whittle

@@ -1,0 +1,192 @@
+// test_arrange.cpp — set operations on grid meshes: what touches in faces, edges and corners, and the laws of sets.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "modeler/arrange/arrange.h"
+#include "modeler/arrange/crossings.h"
+
+using namespace whittle;
+
+namespace {
+
+GridMesh box(std::int64_t x, std::int64_t y, std::int64_t z) {
+    GridMesh m;
+    for (int i = 0; i < 8; ++i) m.points.push_back({(i & 1) != 0 ? x : 0, (i & 2) != 0 ? y : 0, (i & 4) != 0 ? z : 0});
+    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (FacetTag i = 0; i < 12; ++i) m.tags.push_back(i / 2);
+    return m;
+}
+
+// A tetrahedron with random corners, turned outward.
+GridMesh tetrahedron(std::mt19937_64& random, std::int64_t size) {
+    std::uniform_int_distribution<std::int64_t> coordinate(0, size);
+    while (true) {
+        GridMesh m;
+        for (int i = 0; i < 4; ++i) m.points.push_back({coordinate(random), coordinate(random), coordinate(random)});
+        const int side = side_of(plane_through(m.points[0], m.points[1], m.points[2]), m.points[3]);
+        if (side == 0) continue;
+        if (side > 0) std::swap(m.points[1], m.points[2]);
+        m.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+        m.tags = {0, 1, 2, 3};
+        return m;
+    }
+}
+
+struct Placed {
+    GridMesh mesh;
+    GridPoint at{};
+};
+
+ArrangedMesh combined(SetOp op, const std::vector<Placed>& parts, bool join = true) {
+    std::vector<Operand> operands;
+    Expression expression;
+    std::vector<Expression::Id> ids;
+    FacetTag base = 0;
+    for (const Placed& p : parts) {
+        operands.push_back({&p.mesh, p.at, base, static_cast<std::uint32_t>(operands.size()), false});
+        base += 100;
+        ids.push_back(expression.operand());
+    }
+    expression.finish(expression.combine(op, ids));
+    ArrangeStats stats;
+    ArrangeOptions options;
+    options.join = join;
+    auto made = arrange(operands, expression, options, stats);
+    if (!made) FAIL(made.error().message);
+    return std::move(*made);
+}
+
+double volume(const ArrangedMesh& m) {
+    double sum = 0;
+    for (const auto& t : m.triangles) sum += glm::dot(m.points[t[0]], glm::cross(m.points[t[1]], m.points[t[2]]));
+    return sum / 6;
+}
+
+bool closed(const ArrangedMesh& m) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const auto& t : m.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+        }
+    return std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; });
+}
+
+}  // namespace
+
+TEST_CASE("two overlapping boxes have the volumes of sets, and no triangle too many") {
+    const std::vector<Placed> two{{box(10, 10, 10)}, {box(10, 10, 10), {5, 5, 5}}};
+    const ArrangedMesh both = combined(SetOp::kUnion, two), common = combined(SetOp::kIntersection, two), less = combined(SetOp::kDifference, two);
+    CHECK(volume(both) == 1875);
+    CHECK(volume(common) == 125);
+    CHECK(volume(less) == 875);
+    CHECK(common.points.size() == 8);
+    CHECK(common.triangles.size() == 12);
+    CHECK(less.points.size() == 14);
+    CHECK(both.on_grid);
+}
+
+TEST_CASE("boxes that share a face become one without it; an edge or a corner keeps them apart, and nothing is refused") {
+    const GridMesh b = box(10, 10, 10);
+    const ArrangedMesh face = combined(SetOp::kUnion, {{b}, {b, {10, 0, 0}}});
+    CHECK(volume(face) == 2000);
+    for (const Vec3& p : face.points) CHECK((p.x != 10 || p.y == 0 || p.y == 10));
+    for (const GridPoint& at : {GridPoint{10, 10, 0}, GridPoint{10, 10, 10}, GridPoint{10, 3, 0}, GridPoint{3, 4, 10}, GridPoint{10, 10, 4}}) {
+        const ArrangedMesh touching = combined(SetOp::kUnion, {{b}, {b, at}});
+        CHECK(volume(touching) == 2000);
+        CHECK(closed(touching));
+        CHECK(count_crossings(touching.points, touching.triangles) == 0);
+    }
+}
+
+TEST_CASE("a corner on the inside of a face is a corner of that face too") {
+    GridMesh spike = box(10, 10, 10);
+    spike.points = {{0, 0, 0}, {6, -3, 8}, {6, 3, 8}, {-6, 0, 8}};
+    spike.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    spike.tags = {0, 1, 2, 3};
+    const ArrangedMesh touching = combined(SetOp::kUnion, {{box(20, 20, 5)}, {spike, {10, 10, 5}}});
+    CHECK(closed(touching));
+    CHECK(count_crossings(touching.points, touching.triangles) == 0);
+    CHECK(touching.points.size() == 8 + 4);
+}
+
+TEST_CASE("a cutter flush with its body leaves no film, a body less itself leaves nothing") {
+    const GridMesh b = box(10, 10, 10);
+    const ArrangedMesh tunnel = combined(SetOp::kDifference, {{b}, {box(4, 4, 10), {3, 3, 0}}});
+    CHECK(volume(tunnel) == 1000 - 160);
+    CHECK(tunnel.triangles.size() == 32);
+    CHECK(combined(SetOp::kDifference, {{b}, {b}}).triangles.empty());
+    CHECK(combined(SetOp::kIntersection, {{b}, {b, {10, 0, 0}}}).triangles.empty());
+    CHECK(combined(SetOp::kUnion, {{b}, {b}}).triangles.size() == 12);
+}
+
+TEST_CASE("random tetrahedra: inclusion and exclusion to the last bits, closed, never crossing") {
+    const std::uint64_t seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    for (int round = 0; round < 40; ++round) {
+        // Small coordinates make coincidences; large ones make points off the grid.
+        const std::int64_t size = round % 2 == 0 ? 6 : 1'000'000'000;
+        std::vector<Placed> parts;
+        for (int i = 0; i < 3; ++i) parts.push_back({tetrahedron(random, size)});
+        const double unit = std::pow(static_cast<double>(size), 3);
+        const auto of = [&](SetOp op, const std::vector<Placed>& list) {
+            const ArrangedMesh m = combined(op, list);
+            CHECK(closed(m));
+            return volume(m) / unit;
+        };
+        const auto pick = [&](std::initializer_list<std::size_t> which) {
+            std::vector<Placed> list;
+            for (const std::size_t i : which) list.push_back(parts[i]);
+            return list;
+        };
+        const double one = of(SetOp::kUnion, pick({0})) + of(SetOp::kUnion, pick({1})) + of(SetOp::kUnion, pick({2}));
+        const double two = of(SetOp::kIntersection, pick({0, 1})) + of(SetOp::kIntersection, pick({1, 2})) + of(SetOp::kIntersection, pick({0, 2}));
+        CHECK(of(SetOp::kUnion, parts) == Approx(one - two + of(SetOp::kIntersection, parts)).margin(1e-12));
+        CHECK(of(SetOp::kDifference, pick({0, 1})) == Approx(of(SetOp::kUnion, pick({0})) - of(SetOp::kIntersection, pick({0, 1}))).margin(1e-12));
+        const ArrangedMesh joined = combined(SetOp::kUnion, parts), cut = combined(SetOp::kUnion, parts, false);
+        CHECK(joined.triangles.size() <= cut.triangles.size());
+        CHECK(volume(cut) / unit == Approx(volume(joined) / unit).margin(1e-12));
+    }
+}
+
+TEST_CASE("a mesh that crosses itself becomes its outside") {
+    GridMesh two = box(10, 10, 10);
+    const GridMesh other = box(10, 10, 10);
+    for (const GridPoint& p : other.points) two.points.push_back({p[0] + 5, p[1] + 5, p[2] + 5});
+    for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+        const auto& t = other.triangles[i];
+        two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+        two.tags.push_back(other.tags[i] + 6);
+    }
+    const Operand operand{&two, {}, 0, 0, true};
+    Expression alone;
+    alone.finish(alone.operand());
+    ArrangeStats stats;
+    const auto made = arrange({&operand, 1}, alone, {}, stats);
+    REQUIRE(made);
+    CHECK(volume(*made) == 1875);
+    CHECK(count_crossings(made->points, made->triangles) == 0);
+}
+
+TEST_CASE("an open mesh is refused, a cancelled one is interrupted") {
+    GridMesh open = box(10, 10, 10);
+    open.triangles.pop_back();
+    open.tags.pop_back();
+    const GridMesh b = box(10, 10, 10);
+    const std::vector<Operand> operands{{&open, {}, 0, 0, false}, {&b, {5, 5, 5}, 100, 1, false}};
+    const auto attempt = [&](bool stop) {
+        Expression both;
+        const auto x = both.operand(), y = both.operand();
+        both.finish(both.combine(SetOp::kUnion, {x, y}));
+        ArrangeStats stats;
+        return arrange(operands, both, {true, [stop] { return stop; }}, stats);
+    };
+    REQUIRE_FALSE(attempt(false));
+    CHECK(attempt(false).error().fault == Fault::kScene);
+    REQUIRE_FALSE(attempt(true));
+    CHECK(attempt(true).error().fault == Fault::kInterrupted);
+}
