@@ -1,6 +1,7 @@
 // main.cpp — whittle-bench: times the engine against its peers, in one run.
 //
 //     whittle-bench rays [--scenes S1,S2] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
+//     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/program.h"
 #include "bench/race.h"
 #include "bench/ray_sets.h"
 
@@ -83,7 +85,13 @@ int main(int argc, char** argv) {
     rays->add_option("--rounds", choice.race.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");
+    CLI::App* program = app.add_subcommand("program", "the program itself: start, picture, a ray in a plate of holes");
+    ProgramOptions whole{"whittle", "examples", 7};
+    program->add_option("--program", whole.program, "path of whittle");
+    program->add_option("--examples", whole.examples, "folder of the examples");
+    program->add_option("--rounds", whole.rounds, "runs of each")->check(CLI::Range(1, 1000));
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
+    if (program->parsed()) return time_program(whole);
     return time_rays(choice);
 }
