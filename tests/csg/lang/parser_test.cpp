@@ -87,3 +87,73 @@ TEST_CASE("disabled instantiations are read and dropped") {
     CHECK(Tree("*cube(1); sphere(1);").root().instantiations.size() == 1);
     CHECK_FALSE(Tree("*cube(1;").good);
 }
+
+namespace {
+
+// Every form of the grammar at least once, on one line a token apart, so that a column tells a token.
+const std::string kEveryForm =
+    "x = 1 ; y = - x * ( 2 + 3 ) ^ 2 % 5 ; z = [ 1 , [ 2 , 3 ] , \"s\" ] ; r = [ 0 : 2 : 10 ] ; "
+    "t = x > 1 && y <= 2 || ! true ? undef : false ; f = function ( a , b = 2 ) a + b ; g = let ( q = 1 ) q ; "
+    "c = [ for ( i = r ) if ( i != 2 ) each [ i ] else i ] ; d = [ for ( i = 0 ; i < 3 ; i = i + 1 ) i ] ; e = assert ( x == 1 ) echo ( x ) z [ 0 ] ; h = z . x ; "
+    "function k ( n ) = n < 2 ? n : k ( n - 1 ) / 2 ; module m ( a , b = [ 1 ] ) { cube ( a ) ; translate ( b ) { children ( ) ; } } "
+    "m ( 1 , b = 2 ) ; # m ( ) sphere ( r = 1 ) ; if ( x ) { cube ( 1 ) ; } else sphere ( 2 ) ; for ( i = [ 1 , 2 ] ) ! cube ( i ) ; ; { cube ( 3 ) ; } ";
+
+struct Word {
+    std::size_t begin = 0, end = 0;
+    bool ends_statement = false;  // at the top level; a text cut behind it is whole
+};
+
+std::vector<Word> words_of(const std::string& text) {
+    std::vector<Word> words;
+    int depth = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == ' ') continue;
+        Word w{at, std::min(text.find(' ', at), text.size()), false};
+        const char c = text[at];
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        w.ends_statement = depth == 0 && (c == ';' || c == '}');
+        at = w.end;
+        words.push_back(w);
+    }
+    return words;
+}
+
+// A refused text says where and what, within the text.
+bool says_where(const Tree& tree, const std::string& text) {
+    if (tree.diagnostics.all().empty()) return false;
+    for (const Diagnostic& d : tree.diagnostics.all())
+        if (d.place.line != 1 || d.place.column < 1 || d.place.column > text.size() + 1 || d.hint.empty() || d.text.empty()) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("a text cut at any token boundary is whole exactly where a statement ends, and else says where it breaks off") {
+    REQUIRE(Tree(kEveryForm).good);
+    int whole = 0;
+    for (const Word& word : words_of(kEveryForm)) {
+        const std::string text = kEveryForm.substr(0, word.end);
+        const Tree tree(text);
+        INFO(text);
+        CHECK(tree.good == word.ends_statement);
+        CHECK((tree.good || says_where(tree, text)));
+        whole += tree.good;
+    }
+    CHECK(whole > 15);
+}
+
+TEST_CASE("a word too much, too little or twice at any token boundary is read or told with its place") {
+    int refused = 0;
+    for (const Word& word : words_of(kEveryForm)) {
+        const std::string before = kEveryForm.substr(0, word.begin), own = kEveryForm.substr(word.begin, word.end - word.begin), behind = kEveryForm.substr(word.end);
+        for (const std::string& middle : {std::string(), own + " " + own, std::string("@"), std::string("= "), ") " + own, own + " ]", own + " }", "\"" + own}) {
+            const std::string text = before + middle + behind;
+            const Tree tree(text);
+            INFO(text);
+            CHECK((tree.good || says_where(tree, text)));
+            refused += !tree.good;
+        }
+    }
+    CHECK(refused > 1000);
+}
