@@ -53,6 +53,12 @@ Bounds filled_box(const Node& node, const Use& use) {
     return b;
 }
 
+// Do the operands from `first` on certainly name no matter? Only shapes are looked at; what lies deeper may name one.
+bool paints_nothing(const Solid& solid, const std::vector<Use>& operands, std::size_t first) {
+    return std::all_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(),
+                       [&](const Use& u) { return std::holds_alternative<Shape>(solid.node(u.node)) && solid.label(u.label).material == Material{}; });
+}
+
 double volume(const Bounds& b) { return b.empty() ? 0 : (b.hi.x - b.lo.x) * (b.hi.y - b.lo.y) * (b.hi.z - b.lo.z); }
 
 std::uint64_t erase_marked(std::vector<Use>& operands, const std::vector<bool>& marked) {
@@ -115,7 +121,9 @@ void SolidBuilder::flatten(SetOp op, std::vector<Use>& operands) {
         while (const auto shorter = folded(use)) use = *shorter;
         const SetOp same = op == SetOp::kDifference && i > 0 ? SetOp::kUnion : op;
         const auto* c = in_place(use) ? std::get_if<Combination>(&solid_.nodes_[use.node]) : nullptr;
-        const bool splice = c && c->op == same && c->operands.size() <= kLongestSpliced && !c->operands.empty();
+        // (A-B)-C as A-B-C forgets which cut is the outer one, which tells what a face of both shows.
+        const bool silent = op != SetOp::kDifference || i > 0 || (c && (paints_nothing(so_far(), c->operands, 1) || paints_nothing(so_far(), operands, 1)));
+        const bool splice = c && c->op == same && c->operands.size() <= kLongestSpliced && !c->operands.empty() && silent;
         if (splice && !changed) {
             spliced.assign(operands.begin(), operands.begin() + static_cast<std::ptrdiff_t>(i));
             changed = true;
@@ -204,6 +212,16 @@ bool SolidBuilder::drop_buried(SetOp op, std::vector<Use>& operands) {
     if (operands.size() < 2) return false;
     std::vector<bool> marked(operands.size(), false);
     const auto filled = [&](std::size_t i) { return filled_box(solid_.nodes_[operands[i].node], operands[i]); };
+    // What comes first owns the matter where both are; the later one may take its place only with the same.
+    const auto bare = [&](const Use& use) {
+        const auto* c = std::get_if<Combination>(&solid_.nodes_[use.node]);
+        return !c || paints_nothing(solid_, c->operands, 0);
+    };
+    const auto absorbs = [&](std::size_t kept, std::size_t dropped) {
+        const Use &a = operands[kept], &b = operands[dropped];
+        const bool same_matter = solid_.labels_[a.label].material == solid_.labels_[b.label].material && bare(a) && bare(b);
+        return (kept < dropped || same_matter) && may_absorb(a, b);
+    };
     if (op == SetOp::kDifference) {
         const Bounds minuend = bounds(operands[0]);
         for (std::size_t i = 1; i < operands.size(); ++i)
@@ -218,12 +236,12 @@ bool SolidBuilder::drop_buried(SetOp op, std::vector<Use>& operands) {
         const Bounds around_others = filled(largest);
         if (around_others.empty()) return false;
         for (std::size_t i = 0; i < operands.size(); ++i)
-            marked[i] = i != largest && contains_inside(around_others, bounds(operands[i])) && may_absorb(operands[largest], operands[i]);
+            marked[i] = i != largest && contains_inside(around_others, bounds(operands[i])) && absorbs(largest, i);
     } else if (operands.size() <= kFewOperands) {
         for (std::size_t i = 0; i < operands.size(); ++i) {
             const Bounds box = filled(i);
             for (std::size_t j = 0; j < operands.size() && !box.empty() && !marked[i]; ++j)
-                marked[i] = j != i && !marked[j] && contains_inside(box, bounds(operands[j])) && may_absorb(operands[j], operands[i]);
+                marked[i] = j != i && !marked[j] && contains_inside(box, bounds(operands[j])) && absorbs(j, i);
         }
     }
     skipped_.buried += erase_marked(operands, marked);
