@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include "csg/base/passes.h"
 #include "modeler/cli/nearest.h"
 #include "modeler/cli/numbers.h"
 #include "modeler/cli/words.h"
@@ -102,6 +103,22 @@ private:
             return true;
         });
     }
+    // Names of passes, all of which must be known.
+    void passes(const char* name, const char* group, std::vector<std::string>& target) {
+        std::vector<std::string> known;
+        for (const PassInfo& pass : known_passes()) known.emplace_back(pass.name);
+        const std::string help = fmt::format("Switches passes off that only save work: {}", fmt::join(known, " "));
+        const auto read = [=, &target](const std::vector<std::string>& texts) {
+            for (const auto& text : texts)
+                for (const auto& word : words_in(text)) {
+                    const auto near = nearest(word, known);
+                    if (!is_disabled(known, word))
+                        throw CLI::ValidationError(name, fmt::format("{} knows no pass '{}'{}", name, word, near ? fmt::format("; did you mean {}?", *near) : ""));
+                    target.push_back(word);
+                }
+        };
+        app_.add_option_function<std::vector<std::string>>(name, read, help)->type_name("PASS,PASS")->group(group)->allow_extra_args(false);
+    }
     // Named by docs/command-line, its function not there yet: known, so that the message says so instead of "unknown".
     void not_yet(const char* name, bool takes_value, const char* group) {
         const std::string shown = name;
@@ -166,10 +183,7 @@ void Declaration::declare_common() {
         common.limit_bytes = static_cast<std::uint64_t>(*n * 1048576.0);
         return true;
     });
-    value("--disable", "PASS,PASS", "Switches passes off that only save work", kGroup, [&common](const std::string& t) {
-        for (const auto& name : words_in(t)) common.disabled_passes.push_back(name);
-        return !t.empty();
-    });
+    passes("--disable", kGroup, common.disabled_passes);
 }
 
 void Declaration::declare_openscad() {

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "csg/base/file.h"
+#include "csg/base/passes.h"
 #include "modeler/cli/clip.h"
 #include "modeler/cli/dependencies.h"
 #include "modeler/io/files.h"
@@ -109,12 +110,18 @@ Result<ReadScene> read_scene(Session& session, Preview preview) {
     Files files(session.request.mesh.options);
     CanonicaliseOptions reading = session.request.common.reading;
     reading.preview = preview.modifiers;
+    const auto& disabled = session.request.common.disabled_passes;
+    reading.passes = {!is_disabled(disabled, "equal"), !is_disabled(disabled, "disjoint"), !is_disabled(disabled, "buried")};
     auto& diagnostics = scene.evaluated.diagnostics;
     const std::size_t told_before = diagnostics.all().size();
     scene.canonical = canonicalise(scene.evaluated.scene, reading, &files, diagnostics);
     session.stats.add("seconds.compile", watch.lap());
+    session.stats.set("skip.equal", static_cast<double>(scene.canonical.skipped.equal));
+    session.stats.set("skip.disjoint", static_cast<double>(scene.canonical.skipped.disjoint));
+    session.stats.set("skip.buried", static_cast<double>(scene.canonical.skipped.buried));
     session.console.tell(diagnostics, scene.evaluated.sources, told_before);
-    if (scene.canonical.something_left_out && !session.request.common.allow_missing) scene.verdict = Exit::kScene;
+    const bool errors = diagnostics.count(Severity::kError) > 0;
+    if (errors || (scene.canonical.something_left_out && !session.request.common.allow_missing)) scene.verdict = Exit::kScene;
     if (session.request.common.hard_warnings && diagnostics.count(Severity::kWarning) > 0) return told(Fault::kScene);
     return scene;
 }
@@ -129,6 +136,7 @@ Result<ReadScene> read_whole_solid(Session& session) {
     auto scene = read_scene(session);
     if (!scene) return scene;
     if (auto solid = check_solid(scene->canonical); !solid) return tl::unexpected<Error>(solid.error());
+    if (scene->evaluated.diagnostics.count(Severity::kError) > 0) return fail(Fault::kScene, "The scene has errors, nothing is written");
     if (scene->verdict != Exit::kDone) return fail(Fault::kScene, "Geometry was left out, nothing is written (--allow-missing carries on without it)");
     return scene;
 }

@@ -18,7 +18,8 @@ std::string color_member(const Material& material) {
     return fmt::to_string(out);
 }
 
-void append_end_json(json::Buffer& out, const Ray& ray, const End& end, const UseTexts& uses) {
+// {"t":..,"t_error":..,"point":..,"normal":.. , open still.
+void append_place_json(json::Buffer& out, const Ray& ray, const End& end) {
     json::raw(out, R"({"t":)");
     json::number(out, end.t);
     json::raw(out, R"(,"t_error":)");
@@ -27,11 +28,27 @@ void append_end_json(json::Buffer& out, const Ray& ray, const End& end, const Us
     json::triple(out, point_at(ray, end.t));
     json::raw(out, R"(,"normal":)");
     json::triple(out, end.normal);
+}
+
+void append_end_json(json::Buffer& out, const Ray& ray, const End& end, const UseTexts& uses) {
+    append_place_json(out, ray, end);
     out.push_back(',');
     json::raw(out, uses.color(end.use));
     fmt::format_to(fmt::appender(out), FMT_COMPILE(R"(,"surface":{},)"), end.surface);
     json::raw(out, uses.place(end.use));
     json::raw(out, end.certified ? R"(,"certified":true})" : R"(,"certified":false})");
+}
+
+void append_interface_json(json::Buffer& out, const Ray& ray, const Interface& interface, const UseTexts& uses) {
+    append_place_json(out, ray, interface.at);
+    fmt::format_to(fmt::appender(out), FMT_COMPILE(R"(,"surface":{},"from":{{{},{}}},"to":{{{},{}}},"certified":{}}})"), interface.at.surface,
+                   uses.color(interface.from), uses.place(interface.from), uses.color(interface.at.use), uses.place(interface.at.use), interface.at.certified);
+}
+
+void append_interface_row(json::Buffer& out, const Ray& ray, const Interface& interface, const UseTexts& uses) {
+    const Vec3 p = point_at(ray, interface.at.t);
+    fmt::format_to(fmt::appender(out), "  turn t {:<22} at ({}, {}, {})  matter of {} to {}{}\n", interface.at.t, p.x, p.y, p.z, uses.short_place(interface.from),
+                   uses.short_place(interface.at.use), interface.at.certified ? "" : "  (not certified)");
 }
 
 void append_end_row(json::Buffer& out, const char* way, const Ray& ray, const End& end, const UseTexts& uses) {
@@ -60,7 +77,7 @@ UseTexts::UseTexts(const std::vector<LeafUse>& uses, const SourceTable& sources)
     }
 }
 
-void append_spans_json(json::Buffer& out, const Ray& ray, const Spans& spans, const UseTexts& uses) {
+void append_spans_json(json::Buffer& out, const Ray& ray, const Spans& spans, const Interfaces& interfaces, const UseTexts& uses) {
     json::raw(out, R"({"spans":[)");
     const char* before = R"({"in":)";
     for (const Span& span : spans) {
@@ -73,16 +90,22 @@ void append_spans_json(json::Buffer& out, const Ray& ray, const Spans& spans, co
         out.push_back('}');
         before = R"(,{"in":)";
     }
-    json::raw(out, R"(],"interfaces":[]})");
-    out.push_back('\n');
+    json::raw(out, R"(],"interfaces":[)");
+    for (const Interface& interface : interfaces) {
+        if (&interface != &interfaces.front()) out.push_back(',');
+        append_interface_json(out, ray, interface, uses);
+    }
+    json::raw(out, "]}\n");
 }
 
-void append_spans_table(json::Buffer& out, const Ray& ray, const Spans& spans, const UseTexts& uses) {
+void append_spans_table(json::Buffer& out, const Ray& ray, const Spans& spans, const Interfaces& interfaces, const UseTexts& uses) {
     const Vec3 o = ray.origin, d = ray.direction;
     fmt::format_to(fmt::appender(out), "ray from ({}, {}, {}) along ({}, {}, {}):{}\n", o.x, o.y, o.z, d.x, d.y, d.z, spans.empty() ? " nothing" : "");
+    auto interface = interfaces.begin();
     for (const Span& span : spans) {
         if (span.in) append_end_row(out, "in", ray, *span.in, uses);
         else json::raw(out, "  in  before the ray's origin\n");
+        for (; interface != interfaces.end() && (!span.out || interface->at.t <= span.out->t); ++interface) append_interface_row(out, ray, *interface, uses);
         if (span.out) append_end_row(out, "out", ray, *span.out, uses);
         else json::raw(out, "  out never\n");
     }

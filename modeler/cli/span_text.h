@@ -7,7 +7,7 @@
 #include "csg/lang/source.h"
 #include "csg/span/ray.h"
 #include "modeler/cli/json.h"
-#include "tracer/engine/engine.h"
+#include "tracer/engine/interfaces.h"
 
 namespace whittle {
 
@@ -25,9 +25,9 @@ private:
     std::vector<std::string> colors_, places_, short_;
 };
 
-// {"spans":[...],"interfaces":[]} and a newline.
-void append_spans_json(json::Buffer& out, const Ray& ray, const Spans& spans, const UseTexts& uses);
-// A line an end; "nothing" where there is none.
-void append_spans_table(json::Buffer& out, const Ray& ray, const Spans& spans, const UseTexts& uses);
+// {"spans":[...],"interfaces":[...]} and a newline.
+void append_spans_json(json::Buffer& out, const Ray& ray, const Spans& spans, const Interfaces& interfaces, const UseTexts& uses);
+// A line an end and an interface, in the order the ray meets them; "nothing" where there is none.
+void append_spans_table(json::Buffer& out, const Ray& ray, const Spans& spans, const Interfaces& interfaces, const UseTexts& uses);
 
 }  // namespace whittle

@@ -41,13 +41,13 @@ public:
 private:
     void answer_block(const std::vector<Ray>& rays, std::size_t block, json::Buffer& text, Scratch& scratch) const {
         Spans spans;
+        Interfaces interfaces;
         for (std::size_t i = block * kBlock; i < std::min(rays.size(), (block + 1) * kBlock); ++i) {
-            spans.clear();
-            all_spans(program_, rays[i], scratch, spans);
+            all_spans(program_, rays[i], scratch, spans, interfaces);
             if (as_json_)
-                append_spans_json(text, rays[i], spans, uses_);
+                append_spans_json(text, rays[i], spans, interfaces, uses_);
             else
-                append_spans_table(text, rays[i], spans, uses_);
+                append_spans_table(text, rays[i], spans, interfaces, uses_);
         }
     }
 

@@ -32,18 +32,25 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
     const BadScene scenes[] = {
         {"syntax error", "cube(10;\n", 1, "syntax error in file a.scad, line 1"},
         {"unfinished", "difference() { cube(1);\n", 1, "syntax error in file a.scad"},
-        {"unreadable include", "include <nothere.scad>\ncube(1);\n", 0, "nothere.scad"},
-        {"failed assert", "assert(1 > 2, \"no\");\ncube(1);\n", 1, "Assertion"},
-        {"recursion without end", "module m() { m(); }\nm();\n", 1, "ecursion"},
-        {"function recursion without end", "function f(x) = f(x + 1) + 1;\ncube(f(1));\n", 1, "ecursion"},
-        {"nothing", "", 1, "empty"},
-        {"division by zero as a size", "cube(1 / 0);\n", 1, ""},
-        {"not a number as a size", "sphere(r = 0 / 0);\n", 1, ""},
-        {"negative radius", "sphere(-3);\n", 1, ""},
-        {"negative cylinder", "cylinder(h = 2, r = -1);\n", 1, ""},
-        {"zero scale", "scale([1, 0, 1]) cube(1);\n", 1, ""},
+        {"unreadable include", "include <nothere.scad>\ncube(1);\n", 0, "Can't open include file 'nothere.scad'"},
+        {"unreadable library", "use <nothere.scad>\ncube(1);\n", 0, "Can't open library 'nothere.scad'"},
+        {"failed assert", "assert(1 > 2, \"no\");\ncube(1);\n", 1, "Assertion '(1 > 2)' failed: \"no\""},
+        {"recursion without end", "module m() { m(); }\nm();\n", 1, "Recursion detected calling module 'm' in file a.scad, line 1"},
+        {"function recursion without end", "function f(x) = f(x + 1) + 1;\ncube(f(1));\n", 1, "Recursion detected calling function 'f' in file a.scad, line 1"},
+        {"nothing", "", 1, "Current top level object is empty"},
+        {"division by zero as a size", "cube(1 / 0);\n", 1, "cube() has size inf, left out in file a.scad, line 1"},
+        {"not a number as a size", "sphere(r = 0 / 0);\n", 1, "nan, left out in file a.scad, line 1"},
+        {"not a number in a list", "cube([1, 2, 0 / 0]);\n", 1, "nan, left out in file a.scad, line 1"},
+        {"not a number in a placement", "translate([0 / 0, 0, 0]) cube(1);\n", 1, "in file a.scad, line 1"},
+        {"negative size", "cube([1, -2, 3]);\n", 1, "cube() has size -2, left out in file a.scad, line 1"},
+        {"negative radius", "sphere(-3);\n", 1, "sphere() has radius -3, left out in file a.scad, line 1"},
+        {"negative cylinder", "cylinder(h = 2, r = -1);\n", 1, "cylinder() has radius -1, left out in file a.scad, line 1"},
+        {"negative tube", "torus(r1 = 5, r2 = -1);\n", 1, "torus() has tube radius -1, left out in file a.scad, line 1"},
+        {"zero scale", "scale([1, 0, 1]) cube(1);\n", 1, "Scaling a 3D object with 0 - removing object in file a.scad, line 1"},
+        {"unknown material", "material(\"glas\") cube(1);\n", 1, "did you mean \"glass\"?"},
         {"flat", "square(3);\n", 1, "not a 3D object"},
-        {"open polyhedron", "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n", 1, ""},
+        {"open polyhedron", "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n", 1,
+         "polyhedron() is not closed (3 open edges), left out in file a.scad, line 1"},
     };
     for (const auto& scene : scenes) {
         const TemporaryFolder folder;
@@ -52,8 +59,7 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
         INFO(scene.name << ": " << outcome.err);
         CHECK(outcome.code == scene.code);
         CHECK(contains(outcome.err, scene.part));
-        CHECK_FALSE(outcome.err.empty());
-        if (scene.code != 0) CHECK(folder.names() == std::vector<std::string>{"a.scad"});
+        if (scene.code != 0 && scene.name != std::string("unknown material")) CHECK(folder.names() == std::vector<std::string>{"a.scad"});
     }
 }
 
@@ -102,6 +108,26 @@ TEST_CASE("a full disk is told and leaves no broken file") {
     const Outcome answer = run_whittle({"spans", scene, "--ray=0,0,-5,0,0,1", "--json"}, {"", "", 0, "/dev/full"});
     CHECK(answer.code == 3);
     CHECK(contains(answer.err, "No space left on device"));
+}
+
+TEST_CASE("a file system that runs full while a picture is written keeps what was there") {
+    const TemporaryFolder folder;
+    // A file system of 48 kB, mounted for this shell alone; the picture needs 200 kB.
+    const char* script = "mount -t tmpfs -o size=48k tmpfs \"$1/full\" 2>/dev/null || exit 77\n"
+                         "cd \"$1/full\" && echo 'what was there' > a.exr || exit 77\n"
+                         "\"$2\" render ../a.scad -o a.exr --imgsize 300,300 --samples 1 --aov depth,normal; echo \"exit $?\"; ls; cat a.exr\n"
+                         "\"$2\" mesh ../fine.scad -o a.stl; echo \"exit $?\"; ls\n";
+    folder.file("a.scad", "sphere(10);\n");
+    folder.file("fine.scad", "sphere(10, $fn = 100);\n");
+    std::filesystem::create_directory(folder.path() / "full");
+    const Outcome outcome = run_program("/usr/bin/unshare", {"-rm", "sh", "-c", script, "sh", folder.path().string(), WHITTLE_PROGRAM});
+    if (outcome.code == 77 || !contains(outcome.out, "exit ")) {
+        WARN("no file system can be mounted here: " << outcome.err);
+        return;
+    }
+    INFO(outcome.err);
+    CHECK(outcome.out == "exit 3\na.exr\nwhat was there\nexit 3\na.exr\n");
+    CHECK(contains(outcome.err, "No space left on device"));
 }
 
 TEST_CASE("the command line is wrong: exit code 2, before anything is read or written") {

@@ -34,6 +34,44 @@ TEST_CASE("spans tells what a ray meets") {
     CHECK(contains(run_whittle({"spans", scene, "--ray=4,0,0,0,0,1"}).out, "part.scad:2"));
 }
 
+TEST_CASE("spans lists the places inside where one matter meets another") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("two.scad", "color([1, 0, 0]) cube(4);\ntranslate([4, 0, 0]) color([0, 0, 1]) cube(4);\ntranslate([8, 0, 0]) color([0, 0, 1]) cube(4);\n");
+    const Outcome through = run_whittle({"spans", scene, "--ray=-1,1,2,1,0,0", "--json"});
+    REQUIRE(through.code == 0);
+    CHECK(contains(through.out, R"("out":{"t":13,)"));
+    CHECK(contains(through.out, R"("interfaces":[{"t":5,"t_error":)"));
+    CHECK(contains(through.out, R"("point":[4,1,2],"normal":[-1,0,0],"surface":)"));
+    CHECK(contains(through.out, R"("from":{"color":[1,0,0],"solid":0,"file":"two.scad","line":1},"to":{"color":[0,0,1],"solid":1,"file":"two.scad","line":2},"certified":true}]})"));
+    CHECK(contains(run_whittle({"spans", scene, "--ray=-1,1,2,1,0,0"}).out, "at (4, 1, 2)  matter of two.scad:1 to two.scad:2"));
+    CHECK(contains(run_whittle({"spans", scene, "--ray=6,1,2,1,0,0", "--json"}).out, R"("interfaces":[]})"));
+}
+
+TEST_CASE("passes switched off change counters and no answer") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("work.scad", "difference() { cube(10); translate([50, 0, 0]) cube(1); }\ncube(10);\ntranslate([1, 1, 1]) sphere(1);\n"
+                                                       "difference() { cylinder(3, 2, 1); cylinder(3, 2, 1); }\n");
+    const std::vector<std::string> asked{"spans", scene, "--ray=-20,1.5,1.25,1,0,0", "--ray=5,-7,3,0,1,0", "--json"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), asked.begin(), asked.end());
+        return run_whittle(more);
+    };
+    const Outcome all = with({"--stats", folder.file("all.json", "")});
+    const Outcome none = with({"--stats", folder.file("none.json", ""), "--disable", "equal,disjoint", "--disable", "buried"});
+    CHECK(all.code == 0);
+    CHECK(none.code == 0);
+    CHECK(all.out == none.out);
+    for (const char* name : {"equal", "disjoint", "buried"}) {
+        const std::string zero = std::string("\"skip.") + name + "\": 0";
+        CHECK_FALSE(contains(folder.read("all.json"), zero));
+        CHECK(contains(folder.read("none.json"), zero));
+    }
+    const Outcome unknown = with({"--disable", "equal,burried"});
+    CHECK(unknown.code == 2);
+    CHECK(contains(unknown.err, "--disable knows no pass 'burried'; did you mean buried?"));
+    CHECK(unknown.out.empty());
+}
+
 TEST_CASE("spans answers many rays in order, by the same bytes on any number of threads") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("part.scad", kScene);
