@@ -53,7 +53,7 @@ complete -c whittle -n "__fish_seen_subcommand_from mesh; or not __fish_seen_sub
 complete -c whittle -n "__fish_seen_subcommand_from check" -l lines -r -d 'Lines to shoot (as many as take about a second)'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l ray -r -d 'Origin and direction (of any length; t is in units of it)'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l rays -r -d 'One ray a line: ox oy oz dx dy dz; - is standard input'
-complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl off obj ply csg echo" -d 'Format of the output, instead of its suffix'
+complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo" -d 'Format of the output, instead of its suffix'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l check-parameters -r -a "true false" -d 'Warn of unknown and surplus arguments'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l render -d 'A picture sees $preview = false'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l preview -d 'A picture sees $preview = true (the default)'
