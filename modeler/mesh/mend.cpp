@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "csg/solid/polyhedron.h"
+#include "modeler/arrange/crossings.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
@@ -282,6 +283,12 @@ std::shared_ptr<const FacetList> facets_of(const Mesh& mesh, const std::vector<T
     return list;
 }
 
+std::vector<Triangle> triangles_of(const FacetList& list) {
+    std::vector<Triangle> triangles;
+    for (const auto& f : list.facets) triangles.push_back({f[0], f[1], f[2]});
+    return triangles;
+}
+
 }  // namespace
 
 void close_mesh(Mesh& mesh, std::vector<std::string>& remarks) {
@@ -330,7 +337,12 @@ ImportedMesh mended(Mesh mesh) {
     weld(mesh);
     if (mesh.triangles.empty()) return out;
     close_mesh(mesh, out.remarks);
-    for (auto& solid : shells_of(mesh, out.remarks)) out.solids.push_back({std::move(solid), {}, {}});
+    std::uint64_t crossings = 0;
+    for (auto& solid : shells_of(mesh, out.remarks)) {
+        crossings += count_crossings(solid->points, triangles_of(*solid));
+        out.solids.push_back({std::move(solid), {}, {}});
+    }
+    if (crossings > 0) out.remarks.push_back(fmt::format("crosses itself: {} pairs of facets; inside is where an odd number of crossings leads", crossings));
     return out;
 }
 
