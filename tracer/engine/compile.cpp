@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "csg/solid/predicates.h"
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
 #include "tracer/engine/space.h"
@@ -34,6 +35,13 @@ void rank_matters(Program& program) {
         if (!first) first = &use;
         program.one_matter = program.one_matter && use.material == first->material;
     }
+}
+
+bool never_turns_right(const std::vector<Vec2>& contour) {
+    const std::size_t n = contour.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (turn_of(contour[i], contour[(i + 1) % n], contour[(i + 2) % n]) < 0) return false;
+    return n >= 3;
 }
 
 class Compiler {
@@ -161,6 +169,12 @@ private:
                 leaf.next.push_back(i + 1 < contour.size() ? static_cast<std::uint32_t>(leaf.points.size()) : start);
                 leaf.edges.push_back(p.edges[edge] == kNoSupport ? kNoClass : classes_.of[p.edges[edge]].id);
             }
+        }
+        leaf.convex = p.contours.size() == 1 && never_turns_right(p.contours[0]);
+        for (const SupportId id : p.edges) {
+            if (!leaf.convex || id == kNoSupport) continue;
+            const ClassOfSupport c = classes_.of[id];
+            leaf.sides.push_back({(c.id << 1) | static_cast<std::uint32_t>(c.flipped)});
         }
         program_.prisms.push_back(std::move(leaf));
     }

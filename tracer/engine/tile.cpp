@@ -333,7 +333,7 @@ void describe_for_packets(Program& program) {
         if (leaf.kind == FormulaKind::kCell)
             for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
         if (leaf.kind == FormulaKind::kPrism)
-            for (const ClassId id : program.prisms[leaf.first].edges) meet(id, i, false);
+            for (const ClassId id : program.prisms[leaf.first].edges) meet(id, i, program.prisms[leaf.first].convex);
         if (leaf.kind == FormulaKind::kMesh)
             for (const ClassId id : program.meshes[leaf.first].facets) meet(id, i, false);
     }
