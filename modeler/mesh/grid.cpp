@@ -6,7 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "modeler/mesh/int128.h"
+#include "modeler/arrange/exact_points.h"
 
 namespace whittle {
 namespace {
@@ -62,12 +62,6 @@ private:
     std::vector<Entry> edges_;
 };
 
-Int128 determinant_of(const GridPoint& o, const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-    const auto d = [&](const GridPoint& p, std::size_t i) { return static_cast<Int128>(p[i] - o[i]); };
-    return d(a, 0) * (d(b, 1) * d(c, 2) - d(b, 2) * d(c, 1)) - d(a, 1) * (d(b, 0) * d(c, 2) - d(b, 2) * d(c, 0)) +
-           d(a, 2) * (d(b, 0) * d(c, 1) - d(b, 1) * d(c, 0));
-}
-
 // Two opposite triangles on the same three points enclose nothing: both go.
 void drop_folded_pairs(std::vector<Triangle>& triangles) {
     std::vector<std::size_t> order(triangles.size());
@@ -100,12 +94,15 @@ FacetTag tag_facets(GridMesh& mesh) {
     mesh.tags.assign(mesh.triangles.size(), kNone);
     const EdgeIndex edges(mesh.triangles);
     FacetTag count = 0;
+    const auto plane_of = [&](const Triangle& t) { return plane_through(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]); };
     std::vector<std::uint32_t> todo;
     for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
         if (mesh.tags[seed] != kNone) continue;
         const Triangle base = mesh.triangles[seed];
         mesh.tags[seed] = count;
         todo.assign(1, seed);
+        const ExactPlane plane = plane_of(base);
+        if (!plane.valid()) todo.clear();  // everything would be coplanar with it
         while (!todo.empty()) {
             const Triangle t = mesh.triangles[todo.back()];
             todo.pop_back();
@@ -113,10 +110,8 @@ FacetTag tag_facets(GridMesh& mesh) {
                 const auto other = edges.across(t[k], t[(k + 1) % 3]);
                 if (!other || mesh.tags[*other] != kNone) continue;
                 const Triangle& o = mesh.triangles[*other];
-                const auto flat = [&](std::uint32_t v) {
-                    return determinant_of(mesh.points[base[0]], mesh.points[base[1]], mesh.points[base[2]], mesh.points[v]) == 0;
-                };
-                if (!flat(o[0]) || !flat(o[1]) || !flat(o[2])) continue;
+                const auto flat = [&](std::uint32_t v) { return side_of(plane, mesh.points[v]) == 0; };
+                if (!flat(o[0]) || !flat(o[1]) || !flat(o[2]) || !plane_of(o).valid()) continue;
                 mesh.tags[*other] = count;
                 todo.push_back(*other);
             }
@@ -163,12 +158,13 @@ const Vec3* KnownPoints::find(const GridPoint& at) const {
     return found == table_->map.end() ? nullptr : &found->second;
 }
 
-Grid Grid::for_size(double largest_coordinate) {
+Grid Grid::for_sizes(double of_result, double of_leaves) {
     Grid grid;
-    const double most = static_cast<double>(kLargestGridCoordinate) / 2;
+    const double most = static_cast<double>(kLargestGridCoordinate) / 2, farthest = static_cast<double>(kLargestPlacedCoordinate) / 2;
+    const auto fits = [&](double per_mm) { return of_result * per_mm <= most && of_leaves * per_mm <= farthest; };
     const int kMostDigits = 22;  // larger powers of ten are not doubles
-    for (int digits = 0; digits < kMostDigits && largest_coordinate * grid.per_mm * 10 <= most; ++digits) grid.per_mm *= 10;
-    while (largest_coordinate * grid.per_mm > most) grid.per_mm /= 10;
+    for (int digits = 0; digits < kMostDigits && fits(grid.per_mm * 10); ++digits) grid.per_mm *= 10;
+    while (!fits(grid.per_mm)) grid.per_mm /= 10;
     return grid;
 }
 

@@ -30,8 +30,9 @@ struct LeafMesh {
 struct Grid {
     double per_mm = 1;  // a power of ten
 
-    // The finest grid on which a coordinate of this size stays below kLargestGridCoordinate.
-    static Grid for_size(double largest_coordinate);
+    // The finest grid on which coordinates of the result stay below kLargestGridCoordinate / 2 and those of any leaf below kLargestPlacedCoordinate.
+    static Grid for_sizes(double largest_of_result, double largest_of_leaves);
+    static Grid for_size(double largest) { return for_sizes(largest, largest); }
     std::int64_t snapped(double mm) const;
     double mm(double grid_units) const { return grid_units / per_mm; }
 };

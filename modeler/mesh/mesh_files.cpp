@@ -9,6 +9,7 @@
 
 #include "modeler/mesh/file_text.h"
 #include "modeler/mesh/paint.h"
+#include "modeler/mesh/settle.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
@@ -142,6 +143,7 @@ void warn(MeshFile& file) {
     say(r.open_edges, "edges are open");
     say(r.degenerate, "facets have no area");
     say(r.duplicate, "facets are there twice");
+    say(r.self_intersections.value_or(0), "pairs of facets cross in the precision of the file");
     say(r.shared_edges, "edges belong to more than two facets: parts of the solid touch there");
 }
 
@@ -170,11 +172,8 @@ FileColors::FileColors(const MeshResult& result) {
 }
 
 Mesh in_single_precision(const Mesh& mesh) {
-    Mesh out = mesh;
-    for (Vec3& p : out.points) p = Vec3(glm::vec3(p));
-    weld(out);
-    remove_flat_triangles(out);
-    return out;
+    MeshControl nobody;
+    return settled_in_single(mesh, nobody).mesh;
 }
 
 namespace {
@@ -231,8 +230,10 @@ Result<MeshFile> write_mesh(const std::vector<MeshPart>& parts, MeshFormat forma
         return fail(Fault::kScene, "Current top level object is empty.");
     MeshFile file;
     if (format == MeshFormat::kStlBinary || format == MeshFormat::kStlAscii) {
-        const Mesh mesh = in_single_precision(parts.front().result->mesh);
+        MeshControl nobody;
+        const auto [mesh, crossings, rearranged] = settled_in_single(parts.front().result->mesh, nobody);
         file.report = report_mesh(mesh);
+        file.report.self_intersections = crossings;
         file.bytes = format == MeshFormat::kStlBinary ? stl_binary(mesh) : stl_ascii(mesh);
     } else {
         file.report = report_of(parts);

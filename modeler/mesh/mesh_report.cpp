@@ -1,37 +1,16 @@
 // mesh_report.cpp — what a mesh is, as it stands: closed, oriented, its shells and their genus.
 #include <algorithm>
-#include <numeric>
 
+#include "modeler/arrange/sets.h"
+#include "modeler/mesh/file_text.h"
 #include "modeler/mesh/mesh.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
 namespace {
 
-class Sets {  // union-find, path halving
-public:
-    explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-    std::uint32_t find(std::uint32_t x) {
-        while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-        return x;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-    }
-    std::uint64_t count() {
-        std::uint64_t n = 0;
-        for (std::uint32_t i = 0; i < parent_.size(); ++i) n += find(i) == i ? 1U : 0U;
-        return n;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
-
 struct HalfEdge {
-    std::uint32_t lo, hi, triangle, slot;
-    bool forward;  // from lo to hi
+    std::uint32_t lo, hi, triangle;
     auto key() const { return std::pair(lo, hi); }
 };
 
@@ -39,9 +18,9 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<Triangle>& triangles) 
     std::vector<HalfEdge> edges;
     edges.reserve(triangles.size() * 3);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        for (std::uint32_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = triangles[i][k], b = triangles[i][(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), i, k, a < b});
+            edges.push_back({std::min(a, b), std::max(a, b), i});
         }
     std::sort(edges.begin(), edges.end(), [](const HalfEdge& x, const HalfEdge& y) {
         return x.key() != y.key() ? x.key() < y.key() : x.triangle < y.triangle;
@@ -69,8 +48,8 @@ Bounds mesh_bounds(const Mesh& mesh) {
     return b;
 }
 
-// Corners of triangles that hang together by edges of two are one vertex of a shell; where solids touch, in an edge or a corner, shells have their
-// own. Euler's formula then gives the genus: V - E + F = 2(shells - genus).
+// Where solids touch, in an edge or a corner, each has points of its own: then every edge has two triangles, and Euler's formula gives the genus:
+// V - E + F = 2(shells - genus).
 MeshReport report_mesh(const Mesh& given) {
     Mesh mesh{given.points, given.triangles, {}};
     weld(mesh);
@@ -81,26 +60,19 @@ MeshReport report_mesh(const Mesh& given) {
     for (const Triangle& t : mesh.triangles) report.degenerate += is_flat(mesh, t) ? 1U : 0U;
     report.duplicate = count_duplicates(mesh.triangles);
     report.open_edges = count_open_edges(mesh.triangles);
-
     const auto edges = sorted_half_edges(mesh.triangles);
-    Sets shells(mesh.triangles.size()), corners(mesh.triangles.size() * 3);
-    std::int64_t edge_count = 0;
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         for (j = i; j < edges.size() && edges[j].key() == edges[i].key(); ++j) {}
-        const HalfEdge &a = edges[i], &b = edges[j - 1];
-        if (j - i == 2 && a.forward != b.forward) {
-            ++edge_count;
-            shells.join(a.triangle, b.triangle);
-            corners.join(a.triangle * 3 + a.slot, b.triangle * 3 + (b.slot + 1) % 3);
-            corners.join(a.triangle * 3 + (a.slot + 1) % 3, b.triangle * 3 + b.slot);
-        } else {
-            edge_count += static_cast<std::int64_t>((j - i + 1) / 2);
-            report.shared_edges += (j - i) % 2 == 0 && j - i > 2 ? 1U : 0U;
-        }
+        report.shared_edges += (j - i) % 2 == 0 && j - i > 2 ? 1U : 0U;
     }
-    report.components = mesh.triangles.empty() ? 0 : shells.count();
-    const auto v = static_cast<std::int64_t>(corners.count()), f = static_cast<std::int64_t>(mesh.triangles.size());
-    report.genus = static_cast<std::int64_t>(report.components) - (v - edge_count + f) / 2;
+    const Mesh apart = report.open_edges > 0 ? mesh : with_own_points(mesh);
+    DisjointSets shells(apart.points.size());
+    std::uint64_t edge_count = 0;
+    for (const Triangle& t : apart.triangles) shells.join(t[0], t[1]), shells.join(t[1], t[2]);
+    for (const auto halves = sorted_half_edges(apart.triangles); const HalfEdge& e : halves) edge_count += &e == halves.data() || e.key() != (&e - 1)->key() ? 1U : 0U;
+    for (std::uint32_t v = 0; v < apart.points.size(); ++v) report.components += shells.find(v) == v ? 1U : 0U;
+    const auto euler = static_cast<std::int64_t>(apart.points.size() + apart.triangles.size()) - static_cast<std::int64_t>(edge_count);
+    report.genus = static_cast<std::int64_t>(report.components) - euler / 2;
     return report;
 }
 

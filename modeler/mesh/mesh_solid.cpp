@@ -64,6 +64,19 @@ std::optional<Bounds> pulled_back(const Bounds& box, const Placement& p) {
     return out;
 }
 
+// The largest coordinate of any bounded leaf, in place.
+double farthest_leaf(const Solid& solid, const Use& use, const Placement& outer) {
+    Placement placement = outer * use.placement;
+    if (use.motion != 0) placement = placement * solid.motion(use.motion).start;
+    if (const auto* c = std::get_if<Combination>(&solid.node(use.node))) {
+        double most = 0;
+        for (const Use& operand : c->operands) most = std::max(most, farthest_leaf(solid, operand, placement));
+        return most;
+    }
+    const Bounds& own = solid.bounds(use.node);
+    return own.empty() || !finite(own) ? 0 : largest_coordinate(placed_bounds(own, placement));
+}
+
 // What a use on the path to a leaf adds.
 struct Path {
     Placement placement;
@@ -75,14 +88,14 @@ struct Path {
 
 class Planner {
 public:
-    Planner(const Solid& solid, const MeshOptions& options, MeshControl& control, const Bounds& room, MeshResult& result)
+    Planner(const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control, const Bounds& room, MeshResult& result)
         : solid_(solid), control_(control), room_(room), result_(result) {
         const double diagonal = glm::length(room.hi - room.lo);
         rule_.angle_deg = options.angle_deg;
         rule_.largest = options.tolerance_mm.value_or(1e-3 * diagonal);
         if (options.tolerance_mm) rule_.share_of_radius = 0;
-        // Unbounded leaves reach past the room, by less than a quarter of its diagonal.
-        grid_ = Grid::for_size(largest_coordinate(room) + diagonal / 4);
+        // Unbounded leaves reach past the room, by less than a quarter of its diagonal; others may reach far out of it and be cut.
+        grid_ = Grid::for_sizes(largest_coordinate(room) + diagonal / 4, farthest_leaf(solid, root, Placement{}));
         result_.grid_mm = 1 / grid_.per_mm;
     }
 
@@ -297,7 +310,7 @@ Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptio
     if (!finite(room)) return fail(Fault::kScene, "the solid is unbounded: no operation bounds a halfspace or quadric");
 
     auto start = Clock::now();
-    Planner planner(solid, options, control, room, result);
+    Planner planner(solid, root, options, control, room, result);
     auto instance = planner.build(root, Path{});
     if (!instance) return tl::unexpected(instance.error());
     result.stats.seconds_tessellate = seconds_since(start);
