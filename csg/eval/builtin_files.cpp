@@ -1,4 +1,6 @@
 // Built-in modules that name files: which file is meant is found here, it is read when the solid is made.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "csg/eval/builtin_module_parts.h"
@@ -44,6 +46,18 @@ Made make_import(ModuleUse& use) {
     out.csg = fmt::format("import(file = \"{}\", layer = \"{}\", origin = [{:g}, {:g}]{}, scale = {}, convexity = {}, {}, timestamp = 0)", shown, out.layer,
                           out.origin.x, out.origin.y, sheet, number_or(use[4], 1), read_convexity(use[2], 1), facets_text(use.machine));
     return out;
+}
+
+void add_drawing(ModuleUse& use, const Value& file, const Value& layer, const Value& origin, double scale) {
+    scene::Import out;
+    out.name = text_or(file, "");
+    out.layer = text_or(layer, "");
+    out.path = use.machine.find_file(use.place, out.name);
+    read_vec2(origin, out.origin);
+    if (std::isfinite(scale) && scale > 0) out.scale = scale;
+    out.csg = fmt::format("import(file = \"{}\", layer = \"{}\", origin = [{:g}, {:g}], scale = {:g}, convexity = 1, {}, timestamp = 0)", use.machine.name_of_file(out.path), out.layer,
+                          out.origin.x, out.origin.y, out.scale, facets_text(use.machine));
+    use.machine.add_child(use.place, std::move(out));
 }
 
 Made make_surface(ModuleUse& use) {

@@ -46,6 +46,8 @@ Made make_offset(ModuleUse& use);
 
 Made make_text(ModuleUse& use);
 Made make_import(ModuleUse& use);
+// The drawing of linear_extrude(file=) and its like, as the child import() that it stands for.
+void add_drawing(ModuleUse& use, const Value& file, const Value& layer, const Value& origin, double scale);
 Made make_surface(ModuleUse& use);
 
 Made make_material(ModuleUse& use);

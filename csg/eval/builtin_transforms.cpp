@@ -155,7 +155,7 @@ Made make_linear_extrude(ModuleUse& use) {
     out.scale = {std::max(out.scale.x, 0.0), std::max(out.scale.y, 0.0)};
     if (double slices = 0; read_number(use[7], slices) && std::fabs(slices) < 1e9 && static_cast<int>(slices) > 0) out.slices = static_cast<int>(slices);
     out.convexity = read_convexity(use[8], 1);
-    if (use[0].is_string()) return scene::Unsupported{"linear_extrude(file)", "linear_extrude(file = " + use.machine.text_of(use[0]) + ")"};
+    if (use[0].is_string()) add_drawing(use, use[0], use[1], use[3], out.scale.x);
     return out;
 }
 
@@ -164,7 +164,9 @@ Made make_rotate_extrude(ModuleUse& use) {
     scene::RotateExtrude out;
     if (use[0].is_string()) {
         use.machine.say(Severity::kDeprecated, {}, "Support for reading files in rotate_extrude will be removed in future releases. Use a child import() instead.");
-        return scene::Unsupported{"rotate_extrude(file)", "rotate_extrude(file = " + use.machine.text_of(use[0]) + ")"};
+        double scale = 1;
+        read_number(use[3], scale);
+        add_drawing(use, use[0], use[1], use[2], scale);
     }
     const Value& angle = !use[5].is_undef() ? use[5] : !use[7].is_undef() ? use[7] : use[0];
     double deg = 360;

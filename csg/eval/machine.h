@@ -70,6 +70,8 @@ public:
     // The path of a file that a call at `place` names: beside the text of the call, else beside the main file, else in the libraries; where there is
     // none, beside the text. It joins the list of files read.
     std::string find_file(SourcePlace place, std::string_view name);
+    // Makes a node without children a child of the node being made.
+    void add_child(SourcePlace place, scene::What what);
     // How a .csg file calls it: relative to the main file's folder.
     std::string name_of_file(const std::string& path) const;
     // Checks limits now and then: call it in every loop of unbounded length.

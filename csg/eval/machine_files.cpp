@@ -35,6 +35,15 @@ std::string Machine::find_file(SourcePlace place, std::string_view name) {
     return path;
 }
 
+void Machine::add_child(SourcePlace place, scene::What what) {
+    SceneNode node;
+    node.what = std::move(what);
+    node.place = place;
+    node.facets = facets();
+    scene_->nodes.push_back(std::move(node));
+    pending_.push_back(static_cast<SceneNodeId>(scene_->nodes.size() - 1));
+}
+
 std::string Machine::name_of_file(const std::string& path) const {
     const fs::path folder = fs::path(input_.path).parent_path();
     if (folder.empty()) return path;
