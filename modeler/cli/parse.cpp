@@ -281,7 +281,7 @@ void Declaration::declare_mesh() {
 
 void Declaration::declare_check() {
     number("--lines", "N", "Lines to shoot (as many as take about a second)", request_.check.lines, 1, kMostCount, "Check");
-    not_yet("--suite", false, "Check");
+    flag("--suite", "Check all the scenes named, and those in folders named: a row each", request_.check.suite, "Check");
 }
 
 void Declaration::declare_spans() {
@@ -347,7 +347,8 @@ Result<void> validate(const VerbInfo* verb, Request& request) {
     const bool many_files = verb && verb->verb == Verb::kMerge;
     if (verb && verb->verb == Verb::kBench) return {};
     if (request.inputs.empty()) return fail(Fault::kCommand, many_files ? "merge wants the pictures to put together" : "no scene is named");
-    if (!many_files && request.inputs.size() > 1) return fail(Fault::kCommand, fmt::format("one scene at a time: '{}' is a second", request.inputs[1]));
+    const bool suite = verb && verb->verb == Verb::kCheck && request.check.suite;
+    if (!many_files && !suite && request.inputs.size() > 1) return fail(Fault::kCommand, fmt::format("one scene at a time: '{}' is a second", request.inputs[1]));
     if (many_files && request.outputs.size() != 1) return fail(Fault::kCommand, "merge wants one -o FILE");
     if (request.common.parameter_set.empty() != request.common.parameter_file.empty()) return fail(Fault::kCommand, "-p and -P go together");
     if (request.verb == Verb::kSpans && request.spans.rays.empty() && request.spans.rays_file.empty())

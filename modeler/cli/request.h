@@ -61,6 +61,7 @@ struct MeshRequest {
 
 struct CheckRequest {
     std::uint64_t lines = 0;  // 0: by a count of work
+    bool suite = false;       // many scenes, and folders of them
 };
 
 struct SpansRequest {

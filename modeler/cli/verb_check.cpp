@@ -1,9 +1,12 @@
 // verb_check.cpp — whittle check: do the exact solid and its mesh agree? Exit code 4 if not.
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 
 #include <fmt/core.h>
 
 #include "modeler/check/agreement.h"
+#include "modeler/check/facts.h"
 #include "modeler/cli/answers.h"
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/progress.h"
@@ -28,9 +31,9 @@ std::string centroid_json(const std::array<Measured, 3>& c) { return json::array
 
 std::string both(const std::string& spans, const std::string& mesh) { return json::Object().raw("spans", spans).raw("mesh", mesh).str(); }
 
-void print_json(const Agreement& a) {
+void print_json(const Agreement& a, const std::vector<std::string>& false_facts) {
     json::Object object;
-    object.boolean("agree", a.agree).count("lines", a.lines).count("seed", a.seed).number("tolerance", a.tolerance).number("rounding", a.rounding);
+    object.boolean("agree", a.agree && false_facts.empty()).count("lines", a.lines).count("seed", a.seed).number("tolerance", a.tolerance).number("rounding", a.rounding);
     object.raw("volume", both(json::of(a.volume_spans), json::of(a.volume_mesh))).raw("area", both(json::of(a.area_spans), json::of(a.area_mesh)));
     object.raw("centroid", both(centroid_json(a.centroid_spans), centroid_json(a.centroid_mesh)));
     object.number("genus", a.genus).number("components", a.components);
@@ -38,7 +41,7 @@ void print_json(const Agreement& a) {
     object.raw("worst", disagreement_json(a.worst));
     std::vector<std::string> list;
     for (const auto& d : a.disagreements) list.push_back(disagreement_json(d));
-    object.raw("disagreements", json::array(list)).count("disagreements_in_all", a.disagreements_in_all);
+    object.raw("disagreements", json::array(list)).count("disagreements_in_all", a.disagreements_in_all).strings("false_facts", false_facts);
     fmt::print("{}\n", object.str());
 }
 
@@ -58,14 +61,39 @@ void print_table(const Agreement& a, const SourceTable& sources) {
 
 }  // namespace
 
-Exit run_check(Session& session) {
-    const auto scene = read_whole_solid(session);
-    if (!scene) return give_up(session, scene.error());
+namespace {
+
+struct Checked {
+    ReadScene scene;
+    Agreement agreement;
+    std::vector<std::string> false_facts;
+    bool good() const { return agreement.agree && false_facts.empty(); }
+};
+
+// What the scene's text states about itself (facts.h) and is not so.
+std::vector<std::string> false_facts(const std::string& text, const Agreement& a) {
+    constexpr double kIntervals = 3;  // of the sampled values, as in check_agreement
+    std::vector<std::string> out;
+    const Facts facts = facts_of(text);
+    for (const std::string& line : facts.malformed) out.push_back(fmt::format("not a fact: {}", line));
+    for (const Fact& f : facts.facts) {
+        const bool whole = f.name == "genus" || f.name == "components";
+        const Measured& m = f.name == "volume" ? a.volume_spans : a.area_spans;
+        const double value = f.name == "genus" ? a.genus : f.name == "components" ? a.components : m.value;
+        const double allowed = whole ? 0 : kIntervals * m.error + f.within * std::fabs(f.value);
+        if (std::fabs(value - f.value) > allowed) out.push_back(fmt::format("{} = {:.9g} is stated, it is {:.9g}", f.name, f.value, value));
+    }
+    return out;
+}
+
+Result<Checked> check_scene(Session& session) {
+    auto scene = read_whole_solid(session);
+    if (!scene) return tl::unexpected<Error>(scene.error());
     const Solid& solid = scene->canonical.solid;
     const auto program = compile_scene(session, solid);
-    if (!program) return give_up(session, program.error());
+    if (!program) return tl::unexpected<Error>(program.error());
     const auto mesh = make_mesh(session, solid);
-    if (!mesh) return give_up(session, mesh.error());
+    if (!mesh) return tl::unexpected<Error>(mesh.error());
     AgreementOptions options;
     options.tolerance = mesh->tolerance_mm;
     options.rounding = mesh->grid_mm;
@@ -74,14 +102,81 @@ Exit run_check(Session& session) {
     options.cancel = &session.watchdog.interrupted();
     Progress progress("Checking", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
     options.progress = [&progress](double share) { progress.report(share); };
-    const auto agreement = check_agreement(solid, **program, mesh->mesh, options);
-    if (!agreement) return give_up(session, agreement.error());
+    auto agreement = check_agreement(solid, **program, mesh->mesh, options);
+    if (!agreement) return tl::unexpected<Error>(agreement.error());
     session.stats.add(agreement->counters);
-    if (session.request.common.json)
-        print_json(*agreement);
-    else
-        print_table(*agreement, scene->evaluated.sources);
-    return agreement->agree ? scene->verdict : worse(Exit::kDisagree, scene->verdict);
+    auto faults = scene->evaluated.sources.files.empty() ? std::vector<std::string>{} : false_facts(scene->evaluated.sources.files.front().text, *agreement);
+    return Checked{std::move(*scene), std::move(*agreement), std::move(faults)};
 }
+
+Exit check_one(Session& session) {
+    const auto checked = check_scene(session);
+    if (!checked) return give_up(session, checked.error());
+    if (session.request.common.json)
+        print_json(checked->agreement, checked->false_facts);
+    else
+        print_table(checked->agreement, checked->scene.evaluated.sources);
+    for (const std::string& fault : checked->false_facts) session.console.warning("a fact of the scene is false: " + fault);
+    return checked->good() ? checked->scene.verdict : worse(Exit::kDisagree, checked->scene.verdict);
+}
+
+// Files as named, and the scenes in folders, by name.
+std::vector<std::string> scenes_of(const std::vector<std::string>& paths) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> out;
+    for (const std::string& path : paths) {
+        std::error_code ignored;
+        if (!fs::is_directory(path, ignored)) {
+            out.push_back(path);
+            continue;
+        }
+        const std::size_t first = out.size();
+        for (const auto& entry : fs::directory_iterator(path, ignored))
+            if (entry.path().extension() == ".scad") out.push_back(entry.path().string());
+        std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
+    }
+    return out;
+}
+
+// A row a scene; what cannot be meshed is told and is no disagreement.
+Exit check_suite(Session& session) {
+    std::size_t agreed = 0, disagreed = 0, refused = 0;
+    std::vector<std::string> rows;
+    for (const std::string& path : scenes_of(session.request.inputs)) {
+        Request request = session.request;
+        request.inputs = {path};
+        Session one{request, session.console, session.stats, session.watchdog};
+        Stopwatch watch;
+        const auto checked = check_scene(one);
+        if (!checked && checked.error().fault == Fault::kInterrupted) return give_up(session, checked.error());
+        (checked ? checked->good() ? agreed : disagreed : refused) += 1;
+        const std::string verdict = !checked ? "refused" : checked->good() ? "agree" : "DISAGREE";
+        const double seconds = watch.lap();
+        if (session.request.common.json) {
+            json::Object row;
+            row.string("file", path).string("verdict", verdict).number("seconds", seconds);
+            if (checked) row.number("worst", checked->agreement.worst.bound > 0 ? checked->agreement.worst.distance / checked->agreement.worst.bound : 0);
+            if (!checked) row.string("reason", checked.error().message);
+            rows.push_back(row.str());
+            continue;
+        }
+        if (!checked) fmt::print("{:8}  {}: {}\n", verdict, path, checked.error().message);
+        else fmt::print("{:8}  {}: volume {:.9g} +- {:.1e}, mesh {:.9g}; worst {:.3g} of {:.3g} mm; genus {}, {} shells; {:.2f} s\n", verdict, path,
+                        checked->agreement.volume_spans.value, checked->agreement.volume_spans.error, checked->agreement.volume_mesh.value,
+                        checked->agreement.worst.distance, checked->agreement.worst.bound, checked->agreement.genus, checked->agreement.components, seconds);
+        if (checked)
+            for (const std::string& fault : checked->false_facts) fmt::print("          a fact is false: {}\n", fault);
+    }
+    if (session.request.common.json) {
+        fmt::print("{}\n", json::Object().count("agree", agreed).count("disagree", disagreed).count("refused", refused).raw("scenes", json::array(rows)).str());
+    } else {
+        fmt::print("{} agree, {} disagree, {} refused\n", agreed, disagreed, refused);
+    }
+    return disagreed > 0 ? Exit::kDisagree : Exit::kDone;
+}
+
+}  // namespace
+
+Exit run_check(Session& session) { return session.request.check.suite ? check_suite(session) : check_one(session); }
 
 }  // namespace whittle

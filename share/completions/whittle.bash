@@ -27,7 +27,7 @@ _whittle() {
                 --ascii --report -o" ;;
         check)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --lines" ;;
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --lines --suite" ;;
         measure)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable" ;;

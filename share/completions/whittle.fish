@@ -51,6 +51,7 @@ complete -c whittle -n "__fish_seen_subcommand_from mesh; or not __fish_seen_sub
 complete -c whittle -n "__fish_seen_subcommand_from mesh; or not __fish_seen_subcommand_from $verbs" -l ascii -d 'STL in letters (the default of -o in OpenSCAD\'s form)'
 complete -c whittle -n "__fish_seen_subcommand_from mesh; or not __fish_seen_subcommand_from $verbs" -l report -d 'Print what validation found'
 complete -c whittle -n "__fish_seen_subcommand_from check" -l lines -r -d 'Lines to shoot (as many as take about a second)'
+complete -c whittle -n "__fish_seen_subcommand_from check" -l suite -d 'Check all the scenes named, and those in folders named: a row each'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l ray -r -d 'Origin and direction (of any length; t is in units of it)'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l rays -r -d 'One ray a line: ox oy oz dx dy dz; - is standard input'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo" -d 'Format of the output, instead of its suffix'
