@@ -7,6 +7,7 @@
 
 #include "csg/eval/canonicaliser.h"
 #include "csg/solid/convex_hull.h"
+#include "csg/solid/convex_parts.h"
 #include "csg/solid/exact_hull.h"
 #include "csg/solid/facet_operations.h"
 #include "csg/solid/profile.h"
@@ -18,8 +19,8 @@ namespace {
 
 // Pieces of a Minkowski sum beyond which it would take hours to combine them.
 constexpr std::size_t kMostPieces = 20000;
-
-using ContoursPtr = std::shared_ptr<const Contours>;
+// Chord error of a curved floor under a roof, of its size: every chord costs the roof a wedge.
+constexpr double kRoofTolerance = 1e-3;
 
 double size_of(const Bounds& box) { return glm::length(box.hi - box.lo); }
 
@@ -205,13 +206,20 @@ Made Canonicaliser::roofed(SceneNodeId id, const scene::Roof& what) {
     const SceneNode& node = scene_.nodes[id];
     const Use flat = profile(id);
     if (flat.node == kEmptyNode) return {};
-    const Contours floor = outline_of(flat);
+    const auto* shape = std::get_if<Shape>(&builder_.node(flat.node));
+    if (const auto* disc = shape ? std::get_if<shape::Disc>(shape) : nullptr; disc && similarity_of(flat.placement, true)) {
+        const double r = disc->r * *similarity_of(flat.placement, true);
+        return leaf(node, shape::Frustum{0, r, r, 0}, Placement::translation({flat.placement.offset(0), flat.placement.offset(1), 0}));
+    }
+    const bool curved = !has_corners_only(flat.node);
+    if (curved) fallbacks_.emplace("roof", 0).first->second++;
+    const Contours floor = curved ? contours_of(builder_.so_far(), node_of(flat), kRoofTolerance * size_of(builder_.bounds(flat))) : outline_of(flat);
     if (floor.empty()) return {};
     if (what.method == "straight" && !is_one_convex_ring(floor)) {
         if (!outside_) return left_out(node.place, "roof() needs meshes, left out");
         const auto roof = outside_->straight_roof(floor);
         if (!roof) return left_out(node.place, "roof() cannot be made, left out", roof.error().message);
-        fallbacks_.emplace("roof", 0).first->second++;
+        if (!curved) fallbacks_.emplace("roof", 0).first->second++;
         return leaf(node, shape::Polyhedron{*roof});
     }
     return owned(node, roof_of(builder_, floor));

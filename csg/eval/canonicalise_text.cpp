@@ -22,6 +22,9 @@ Made Canonicaliser::primitive(const SceneNode& node, const scene::Text& what) {
     if (!std::isfinite(request.size) || !std::isfinite(request.spacing)) return left_out(node.place, "text() has a size or spacing that is not finite, left out");
     if (request.text.empty() || request.size == 0) return {};
     if (!outside_) return left_out(node.place, "text() needs fonts, left out");
+    if (!fonts_known_)
+        for (const std::string& font : scene_.fonts) outside_->add_font(font);
+    fonts_known_ = true;
     const int facets = facets_of_circle(node, request.size);
     const auto text = outside_->text(request, facets > 0 ? GlyphGrid::kOpenScad : GlyphGrid::kFont);
     if (!text) return left_out(node.place, "text() cannot be made, left out", text.error().message);

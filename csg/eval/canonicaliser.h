@@ -124,6 +124,7 @@ private:
     std::map<std::string, ImportedMesh> imported_;  // by path: each file is read once
     int faceted_solids_ = 0;       // for the note: solids of many facets, and the largest $fn
     double largest_fn_ = 0;
+    bool fonts_known_ = false;     // those that the scene names have been added
     std::map<NodeId, std::shared_ptr<const FacetList>> meshes_;  // what operations without an exact form asked for
     std::map<std::string, int> fallbacks_;                       // and how often, by module
 };

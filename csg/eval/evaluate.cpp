@@ -48,6 +48,7 @@ void run_program(const Parsed& parsed, const EvaluateInput& input, Outside& outs
     Machine machine(program, names, heap, input, out.diagnostics, {outside, out.sources, out.files_read});
     out.scene = Scene{};
     out.stop = machine.run(out.scene);
+    out.scene.fonts = parsed.program->fonts;
     heap.break_cycles();
 }
 

@@ -57,9 +57,10 @@ std::vector<Token> ProgramReader::tokens_of(std::uint32_t source, StringPool& st
         }
         if (token.kind == Tok::kUse) {
             const std::string& asked = strings[token.text];
-            const std::string found = is_own_library(asked) || is_font(asked) ? asked : find(asked, folder);
+            const std::string found = is_own_library(asked) ? asked : find(asked, folder);
             if (found.empty()) out_.diagnostics.add(Severity::kWarning, {}, "Can't open library '" + asked + "'.");
-            else if (!is_own_library(asked) && !is_font(asked)) wanted_.emplace_back(found, token.place);
+            else if (is_font(asked)) program_.fonts.push_back(found);
+            else if (!is_own_library(asked)) wanted_.emplace_back(found, token.place);
         }
         out.push_back(token);
     }

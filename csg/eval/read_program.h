@@ -15,6 +15,7 @@ namespace whittle {
 struct ProgramText {
     Names names;
     std::vector<std::unique_ptr<FileSyntax>> files;  // main file first
+    std::vector<std::string> fonts;                  // files that `use` names: their fonts are known to text()
 };
 
 // Files open at once, and files in all: an include that doubles itself ends here.
