@@ -59,6 +59,12 @@ bool paints_nothing(const Solid& solid, const std::vector<Use>& operands, std::s
                        [&](const Use& u) { return std::holds_alternative<Shape>(solid.node(u.node)) && solid.label(u.label).material == Material{}; });
 }
 
+// Does the node certainly hold no label that names a matter?
+bool is_bare(const Solid& solid, const Use& use) {
+    const auto* c = std::get_if<Combination>(&solid.node(use.node));
+    return !c || paints_nothing(solid, c->operands, 0);
+}
+
 double volume(const Bounds& b) { return b.empty() ? 0 : (b.hi.x - b.lo.x) * (b.hi.y - b.lo.y) * (b.hi.z - b.lo.z); }
 
 std::uint64_t erase_marked(std::vector<Use>& operands, const std::vector<bool>& marked) {
@@ -168,7 +174,10 @@ void SolidBuilder::drop_equal(SetOp op, std::vector<Use>& operands) {
     const auto redundant = [&](std::size_t kept, std::size_t i) {
         const Use &a = operands[kept], &b = operands[i];
         if (!same_set(a, b) || !may_absorb(a, b)) return false;
-        return !subtracting || (a.node == b.node && solid_.labels_[a.label].material == solid_.labels_[b.label].material);
+        const Material &kept_matter = solid_.labels_[a.label].material, &matter = solid_.labels_[b.label].material;
+        if (a.node == b.node && kept_matter == matter) return true;
+        // As a part of a cutter the one dropped may be the one that names what the cut shows.
+        return !subtracting && (kept_matter.names_surface() || (!matter.names_surface() && is_bare(solid_, b)));
     };
     const std::size_t first = subtracting ? 1 : 0;
     std::vector<bool> marked(operands.size(), false);
@@ -213,13 +222,9 @@ bool SolidBuilder::drop_buried(SetOp op, std::vector<Use>& operands) {
     std::vector<bool> marked(operands.size(), false);
     const auto filled = [&](std::size_t i) { return filled_box(solid_.nodes_[operands[i].node], operands[i]); };
     // What comes first owns the matter where both are; the later one may take its place only with the same.
-    const auto bare = [&](const Use& use) {
-        const auto* c = std::get_if<Combination>(&solid_.nodes_[use.node]);
-        return !c || paints_nothing(solid_, c->operands, 0);
-    };
     const auto absorbs = [&](std::size_t kept, std::size_t dropped) {
         const Use &a = operands[kept], &b = operands[dropped];
-        const bool same_matter = solid_.labels_[a.label].material == solid_.labels_[b.label].material && bare(a) && bare(b);
+        const bool same_matter = solid_.labels_[a.label].material == solid_.labels_[b.label].material && is_bare(solid_, a) && is_bare(solid_, b);
         return (kept < dropped || same_matter) && may_absorb(a, b);
     };
     if (op == SetOp::kDifference) {

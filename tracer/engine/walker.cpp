@@ -314,7 +314,6 @@ void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
         });
         return;
     }
-    if (!program.leaves[ref.index()].fills) return;
     const Changes c = leaf_changes(ref.index());
     for (std::uint32_t i = 0; i < c.count; ++i) out.push_back({events_[c.first + i], ref.index()});
 }

@@ -44,7 +44,7 @@ public:
     void causes_among_met(const Event& at, std::vector<Cause>& out);
     // Whose matter fills the place: of the uses that hold it and are not subtracted the first by Program::matter_order; kNoLeafUse if there is none.
     std::uint32_t matter_at(Ref ref, const Event& cursor);
-    // Changes along the ray of all leaves that are not subtracted, leaf by leaf.
+    // Changes along the ray of all leaves, leaf by leaf: matter changes at no other place. A cutter may end the one and leave another.
     struct MatterChange {
         Event event;
         std::uint32_t leaf;
