@@ -145,6 +145,12 @@ Made make_linear_extrude(ModuleUse& use) {
     if (use[0].is_string() || use[1].is_string())
         use.machine.say(Severity::kDeprecated, {}, "Support for reading files in linear_extrude will be removed in future releases. Use a child import() instead.");
     if (height.is_number() && std::isfinite(height.number())) out.height = height.number();
+    if (Vec3 v{0}; read_vec3(use[9], v, 0)) {  // the way of the sweep; a height beside it sets its length
+        const double length = glm::length(v);
+        if (length > 0 && height.is_number()) v *= out.height / length;
+        out.height = v.z;
+        if (v.z > 0) out.lean = {v.x / v.z, v.y / v.z};
+    }
     if (!(out.height > 0)) out.height = 0;
     out.center = truth_if_bool(use[5]);
     double twist = 0;

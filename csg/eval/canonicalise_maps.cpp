@@ -86,6 +86,12 @@ Use Canonicaliser::profile(SceneNodeId id) {
 }
 
 Made Canonicaliser::extruded(SceneNodeId id, const scene::LinearExtrude& what) {
+    Made made = extruded_upright(id, what);
+    if (what.lean != Vec2(0)) made.use = builder_.placed({{1, 0, what.lean.x, 0, 0, 1, what.lean.y, 0, 0, 0, 1, 0}}, made.use);
+    return made;
+}
+
+Made Canonicaliser::extruded_upright(SceneNodeId id, const scene::LinearExtrude& what) {
     const SceneNode& node = scene_.nodes[id];
     Use flat = profile(id);
     if (flat.node == kEmptyNode || !is_positive(node, "linear_extrude", "height", what.height)) return {};

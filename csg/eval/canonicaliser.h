@@ -75,6 +75,7 @@ private:
 
     // Maps from 2D to 3D (canonicalise_maps.cpp).
     Made extruded(SceneNodeId id, const scene::LinearExtrude& what);
+    Made extruded_upright(SceneNodeId id, const scene::LinearExtrude& what);
     Made revolved(SceneNodeId id, const scene::RotateExtrude& what);
     Use profile(SceneNodeId id);
     int slices_of(const SceneNode& node, const scene::LinearExtrude& what, const shape::Extrusion& extrusion);

@@ -90,7 +90,10 @@ struct Head {
     }
     std::string operator()(const scene::Matter& m) const;
     std::string operator()(const scene::LinearExtrude& e) const {
-        std::string out = fmt::format("linear_extrude(height = {}, center = {}, convexity = {}", stream(e.height), e.center, e.convexity);
+        const Vec3 way = e.height * Vec3(e.lean, 1);
+        std::string out = fmt::format("linear_extrude(height = {}, ", stream(e.lean == Vec2(0) ? e.height : glm::length(way)));
+        if (e.lean != Vec2(0)) out += "v = " + point(way) + ", ";
+        out += fmt::format("center = {}, convexity = {}", e.center, e.convexity);
         if (e.twist_deg != 0) out += ", twist = " + stream(e.twist_deg);
         if (e.slices) out += ", slices = " + std::to_string(*e.slices);
         out += fmt::format(", scale = [{}, {}]", stream(e.scale.x), stream(e.scale.y));

@@ -50,7 +50,16 @@ struct Minkowski { int convexity = 0; };
 struct Transform { Placement placement; };
 struct Color { Vec4 rgba{1}; };          // alpha included; a component of -1: not set by this color()
 struct Matter { Material material; };
-struct LinearExtrude { double height = 100; bool center = false; double twist_deg = 0; Vec2 scale{1}; std::optional<int> slices; int convexity = 1; };
+// `lean`: how far the top is moved sideways for each mm of height (the vector v of later versions).
+struct LinearExtrude {
+    double height = 100;
+    bool center = false;
+    double twist_deg = 0;
+    Vec2 scale{1};
+    std::optional<int> slices;
+    int convexity = 1;
+    Vec2 lean{0};
+};
 struct RotateExtrude { double angle_deg = 360; double start_deg = 180; int convexity = 2; };
 struct Render { int convexity = 1; };
 struct Resize { Vec3 size{0}; std::array<bool, 3> automatic{}; int convexity = 0; };
