@@ -2,6 +2,8 @@
 // that bulge into it; arcs are halved until no segment reaches another side, so that this is the set itself.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "csg/base/degrees.h"
 #include "csg/eval/imports.h"
@@ -219,16 +221,16 @@ private:
     // Halves every arc whose segment may reach a side that is not its neighbour.
     static void part(std::vector<Sides>& contours) {
         for (int round = 0; round < kMostHalvings; ++round) {
+            const auto reaching = reaching_arcs(contours);
             bool parted = false;
-            const std::vector<Sides> now = contours;
-            for (std::size_t c = 0; c < now.size(); ++c) {
-                contours[c].clear();
-                for (std::size_t i = 0; i < now[c].size(); ++i) {
-                    if (now[c][i].bulge == 0 || !meets_others(now, c, i)) {
-                        contours[c].push_back(now[c][i]);
+            for (std::size_t c = 0; c < contours.size(); ++c) {
+                const Sides now = std::exchange(contours[c], {});
+                for (std::size_t i = 0; i < now.size(); ++i) {
+                    if (!reaching[c][i]) {
+                        contours[c].push_back(now[i]);
                         continue;
                     }
-                    const auto [first, second] = halves_of(now[c][i]);
+                    const auto [first, second] = halves_of(now[i]);
                     contours[c].push_back(first);
                     contours[c].push_back(second);
                     parted = true;
@@ -237,14 +239,34 @@ private:
             if (!parted) return;
         }
     }
-    static bool meets_others(const std::vector<Sides>& contours, std::size_t c, std::size_t i) {
-        const std::size_t n = contours[c].size();
-        for (std::size_t d = 0; d < contours.size(); ++d)
-            for (std::size_t k = 0; k < contours[d].size(); ++k) {
-                if (d == c && (k == i || k == (i + 1) % n || k == (i + n - 1) % n)) continue;
-                if (may_meet(contours[c][i], contours[d][k])) return true;
+
+    // Sides sorted by where they begin in x: each is held against those that begin before it ends.
+    static std::vector<std::vector<bool>> reaching_arcs(const std::vector<Sides>& contours) {
+        struct Boxed { Vec2 lo, hi; std::size_t contour, side; };
+        std::vector<Boxed> boxed;
+        std::vector<std::vector<bool>> reaching;
+        for (std::size_t c = 0; c < contours.size(); ++c) {
+            reaching.emplace_back(contours[c].size(), false);
+            for (std::size_t i = 0; i < contours[c].size(); ++i) {
+                const auto box = box_of(contours[c][i]);
+                boxed.push_back({glm::min(glm::min(box[0], box[1]), glm::min(box[2], box[3])), glm::max(glm::max(box[0], box[1]), glm::max(box[2], box[3])), c, i});
             }
-        return false;
+        }
+        std::sort(boxed.begin(), boxed.end(), [](const Boxed& a, const Boxed& b) { return std::tie(a.lo.x, a.contour, a.side) < std::tie(b.lo.x, b.contour, b.side); });
+        for (std::size_t i = 0; i < boxed.size(); ++i)
+            for (std::size_t k = i + 1; k < boxed.size() && boxed[k].lo.x <= boxed[i].hi.x; ++k) {
+                const Boxed &a = boxed[i], &b = boxed[k];
+                if (a.lo.y > b.hi.y || b.lo.y > a.hi.y) continue;
+                const Side &s = contours[a.contour][a.side], &t = contours[b.contour][b.side];
+                if ((s.bulge == 0 && t.bulge == 0) || are_neighbours(contours, a.contour, a.side, b.contour, b.side) || !may_meet(s, t)) continue;
+                if (s.bulge != 0) reaching[a.contour][a.side] = true;
+                if (t.bulge != 0) reaching[b.contour][b.side] = true;
+            }
+        return reaching;
+    }
+    static bool are_neighbours(const std::vector<Sides>& contours, std::size_t c, std::size_t i, std::size_t d, std::size_t k) {
+        const std::size_t n = contours[c].size();
+        return c == d && ((i + 1) % n == k || (k + 1) % n == i);
     }
 
     // Is a point just right of the chord's middle inside the polygon of all chords?
