@@ -26,7 +26,31 @@ double time_of_pass(const Stage& stage, int index) {
 }
 
 LightWalker::LightWalker(const Stage& stage, int index, int rays, bool on_picture)
-    : stage_(stage), index_(index), rays_(rays), on_picture_(on_picture), direct_(stage, scratch_, counters_) {}
+    : stage_(stage), index_(index), rays_(rays), on_picture_(on_picture), direct_(stage, scratch_, counters_) {
+    constexpr int kSteps = 512;
+    const FilterKind filter = stage.options.filter;
+    const double radius = filter_radius(filter);
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) sum += std::abs(filter_profile(filter, radius * ((i + 0.5) / kSteps)));
+    filter_area_ = 2 * radius * sum / kSteps;
+}
+
+// Camera samples of a pixel are drawn with the density |f| around it and weigh sign(f); a place weighs f / integral of |f| in each pixel near, of which one is
+// drawn by |f|.
+LightWalker::Pick LightWalker::pick(double at, double u) const {
+    if (stage_.options.samples == 1) return {std::floor(at), 1};
+    const FilterKind filter = stage_.options.filter;
+    const double radius = filter_radius(filter), first = std::ceil(at - 0.5 - radius), last = std::floor(at - 0.5 + radius);
+    double all = 0;
+    for (double x = first; x <= last; ++x) all += std::abs(filter_profile(filter, at - x - 0.5));
+    double below = 0;
+    for (double x = first; x <= last; ++x) {
+        const double f = filter_profile(filter, at - x - 0.5);
+        below += std::abs(f);
+        if (f != 0 && u * all < below) return {x, std::copysign(all, f) / filter_area_};
+    }
+    return {};
+}
 
 void LightWalker::walk(int number, LightLeft& left) {
     const Sampler sampler(stage_.options.seed ^ kLightSeed, index_, 0, static_cast<std::uint32_t>(number));
@@ -100,10 +124,11 @@ void LightWalker::draw(const Beam& beam, const Border& border, const Sampler& sa
     const std::optional<Sighting> seen = sighting(stage_.lens, border.point, sampler.pair(Draw::kLens));
     if (!seen) return;
     const RenderOptions& o = stage_.options;
-    FilterSampler::Place place{Vec2(0), 1};
-    if (o.samples > 1) place = stage_.filter.place(sampler.pair(Draw::kLobe, kFilterVertex));
     const double half = o.height / 2.0;
-    const double px = std::floor(o.width / 2.0 + seen->x * half - place.offset.x), py = std::floor(half - seen->y * half - place.offset.y);
+    const Vec2 u = sampler.pair(Draw::kLobe, kFilterVertex);
+    const Pick column = pick(o.width / 2.0 + seen->x * half, u.x), row = pick(half - seen->y * half, u.y);
+    const double px = column.pixel, py = row.pixel, weight = column.weight * row.weight;
+    if (weight == 0) return;
     if (!(px >= 0 && px < o.width && py >= 0 && py < o.height)) return;
     const Vec3 to = seen->eye - border.point;
     const double distance = glm::length(to), cosine = glm::dot(to, border.normal) / distance;
@@ -111,7 +136,7 @@ void LightWalker::draw(const Beam& beam, const Border& border, const Sampler& sa
     const Bsdf bsdf(*border.surface, border.normal, to / distance);
     // A unit of the picture's plane holds (height / 2)^2 pixels.
     const Vec3 flux = beam.power * beam.hues.color() * bsdf.value(-beam.ray.direction, -glm::dot(beam.ray.direction, border.normal));
-    Vec3 light = flux * (cosine * seen->radiance_per_intensity * half * half * place.weight);
+    Vec3 light = flux * (cosine * seen->radiance_per_intensity * half * half * weight);
     if (border.before) light /= border.before->ior * border.before->ior;
     light *= direct_.transmittance(border, to / distance, distance, beam.ray.time, ClearShadows::kBlock);
     if (light == Vec3(0) || !std::isfinite(light.x + light.y + light.z)) return;

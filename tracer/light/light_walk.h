@@ -34,6 +34,11 @@ private:
         int covers = 0;
         bool focused = false;  // met a mirror or clear matter
     };
+    // A pixel of the row or column that a place at `at` belongs to, by lot, and what it weighs there.
+    struct Pick {
+        double pixel = 0, weight = 0;
+    };
+    Pick pick(double at, double u) const;
     bool step(Beam& beam, const Sampler& sampler, LightLeft& left);
     bool scatter(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     void leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
@@ -42,6 +47,7 @@ private:
     const Stage& stage_;
     int index_, rays_;
     bool on_picture_;
+    double filter_area_ = 1;  // integral of |profile|
     Scratch scratch_;
     RenderCounters counters_;
     DirectLight direct_;

@@ -101,11 +101,10 @@ inline Vec3 on_cap(Vec2 u, double one_minus_cos) {
     return {r * sc.y, r * sc.x, 1 - h};
 }
 
-// A microfacet normal seen from `v` (local frame, v.z > 0), drawn from the visible ones.
-inline Vec3 ggx_visible_normal(Vec3 v, double alpha, Vec2 u) {
+// The microfacet normal seen from `v` (local frame, v.z > 0) at a place of the disc that the visible ones make, evenly by area.
+inline Vec3 ggx_normal_on_disc(Vec3 v, double alpha, Vec2 p) {
     const Vec3 stretched = glm::normalize(Vec3(alpha * v.x, alpha * v.y, v.z));
     const Frame frame(stretched);
-    Vec2 p = on_disc(u);
     // The half of the disc that the lower hemisphere would fill is squeezed to the rim.
     const double s = 0.5 * (1 + stretched.z);
     const Vec3 side = std::abs(stretched.z) < 0.9999999 ? glm::normalize(glm::cross(Vec3(0, 0, 1), stretched)) : frame.x;
@@ -114,5 +113,7 @@ inline Vec3 ggx_visible_normal(Vec3 v, double alpha, Vec2 u) {
     const Vec3 h = p.x * side + p.y * other + std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y)) * stretched;
     return glm::normalize(Vec3(alpha * h.x, alpha * h.y, std::max(0.0, h.z)));
 }
+// One drawn from the visible ones.
+inline Vec3 ggx_visible_normal(Vec3 v, double alpha, Vec2 u) { return ggx_normal_on_disc(v, alpha, on_disc(u)); }
 
 }  // namespace whittle
