@@ -1,0 +1,1 @@
+r=rands(0,30,600,42);union(){for(i=[0:199])translate([r[3*i],r[3*i+1],r[3*i+2]])sphere(10,$fn=32);}
