@@ -1,5 +1,6 @@
 // test_exchange.cpp — files in and out of the program, and what other programs make of them.
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -196,4 +197,20 @@ material("matte") {
     }
     CHECK(sum / static_cast<double>(pixels) < 0.01);
     CHECK(static_cast<double>(far) / static_cast<double>(pixels) < 0.03);  // edges, where the two average over different pixels
+}
+
+TEST_CASE("a library folder of OPENSCADPATH holds files that scenes import") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "library/meshes");
+    std::filesystem::create_directory(folder.path() / "work");
+    folder.file("library/meshes/t.off", kTetra);
+    const std::string scene = folder.file("work/a.scad", "import(\"meshes/t.off\", center = true);\n");
+    const char* before = std::getenv("OPENSCADPATH");
+    const std::string kept = before ? before : "";
+    setenv("OPENSCADPATH", folder.name("library").c_str(), 1);
+    const Outcome spans = run_whittle({"spans", scene, "--ray=-2,-2,-9,0,0,1", "--json"});
+    if (before) setenv("OPENSCADPATH", kept.c_str(), 1);
+    else unsetenv("OPENSCADPATH");
+    REQUIRE(spans.code == 0);
+    CHECK(contains(spans.out, R"("point":[-2,-2,-3])"));
 }
