@@ -134,7 +134,7 @@ TEST_CASE("the command line is wrong: exit code 2, before anything is read or wr
     const TemporaryFolder folder;
     const std::string scene = folder.file("a.scad", "cube(1);\n");
     const std::vector<std::vector<std::string>> lines{{}, {"render"}, {"render", scene, "--nonsense"}, {"render", scene, "-o", folder.name("a.xyz")},
-                                                      {"-o", folder.name("a.xyz"), scene}, {"-o", folder.name("a.svg"), scene}, {"mesh", scene, "-o", folder.name("a.png")},
+                                                      {"-o", folder.name("a.xyz"), scene}, {"-o", folder.name("a.nef3"), scene}, {"mesh", scene, "-o", folder.name("a.png")},
                                                       {"spans", scene}, {"render", scene, "--camera", "1,2"}};
     for (const auto& line : lines) {
         const Outcome outcome = run_whittle(line);
