@@ -192,6 +192,76 @@ std::optional<HullResult> hull_of_prisms(SolidBuilder& builder, const std::vecto
     return HullResult{extruded(builder, *flat.use, z0, z1), false};
 }
 
+// Bodies of revolution about one upright axis by what turns about it: corners and discs of the plane y = 0, on both sides of the axis (x).
+struct Meridians {
+    std::optional<Vec2> axis;
+    std::vector<Ball> parts;
+    bool convex = true;
+
+    bool add(const SolidBuilder& builder, const Use& use, const Placement& above) {
+        if (use.motion != 0) return false;
+        const Placement at = above * use.placement;
+        const Node& node = builder.node(use.node);
+        if (const auto* c = std::get_if<Combination>(&node)) {
+            convex &= c->operands.size() == 1;
+            return c->op == SetOp::kUnion && std::all_of(c->operands.begin(), c->operands.end(), [&](const Use& part) { return add(builder, part, at); });
+        }
+        const auto scale = similarity_of(at, true);
+        if (!scale || !keeps_z(at) || (axis && *axis != Vec2(at.offset(0), at.offset(1)))) return false;
+        axis = Vec2(at.offset(0), at.offset(1));
+        const auto& shape = std::get<Shape>(node);
+        const auto z = [&](double own) { return at.linear(2, 2) * own + at.offset(2); };
+        const auto add_both = [&](double x, double height, double r) {
+            for (const double side : {x, -x}) parts.push_back({{side, z(height), 0}, r});
+        };
+        if (const auto* cone = std::get_if<shape::Frustum>(&shape)) {
+            add_both(cone->r0 * *scale, cone->z0, 0);
+            add_both(cone->r1 * *scale, cone->z1, 0);
+            return true;
+        }
+        if (!similarity_of(at, false)) return false;
+        if (const auto* ball = std::get_if<shape::Ellipsoid>(&shape); ball && ball->radii == Vec3(ball->radii.x)) {
+            parts.push_back({{0, z(0), 0}, ball->radii.x * *scale});
+            return true;
+        }
+        if (const auto* ring = std::get_if<shape::Torus>(&shape)) {
+            convex = false;
+            add_both(ring->major * *scale, 0, ring->minor * *scale);
+            return true;
+        }
+        return false;
+    }
+};
+
+// The hull of the parts, turned.
+std::optional<Use> turned_hull(SolidBuilder& builder, const Meridians& m) {
+    const auto outline = hull_of_discs(builder, m.parts).use;
+    if (!outline) return std::nullopt;
+    shape::Revolution r{};
+    r.angle_deg = 360;
+    const auto* shape = std::get_if<Shape>(&builder.node(outline->node));
+    if (const auto* polygon = shape ? std::get_if<shape::Polygon>(shape) : nullptr) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        std::vector<Vec2> right;
+        for (const Vec2& p : polygon->contours->front()) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+            if (p.x > 0) right.push_back(p);
+        }
+        // From the axis at the bottom round to the axis at the top: the ring is counter-clockwise, so its right side goes up.
+        const auto first = std::min_element(right.begin(), right.end(), [](Vec2 a, Vec2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+        std::rotate(right.begin(), first, right.end());
+        right.insert(right.begin(), {0, low});
+        right.push_back({0, high});
+        r.profile = polygon_of(builder, std::move(right)).node;
+    } else {
+        const Bounds box = builder.bounds(*outline);
+        const Use half = use_of(builder.shape(shape::Rectangle{{0, box.lo.y}, {box.hi.x, box.hi.y}}));
+        r.profile = builder.combine(SetOp::kIntersection, {*outline, half});
+    }
+    return use_of(builder.shape(r), Placement::translation({m.axis->x, m.axis->y, 0}));
+}
+
 // Is the 2D set convex, with corners only? Then these are they.
 std::optional<std::vector<Vec2>> convex_corners(const SolidBuilder& builder, const Use& use) {
     if (!std::holds_alternative<Shape>(builder.node(use.node))) return std::nullopt;
@@ -258,6 +328,24 @@ std::optional<std::vector<Ball>> convex_balls(SolidBuilder& builder, const Use& 
     return std::nullopt;
 }
 
+std::optional<Use> sum_of_prisms(SolidBuilder& builder, const Use& a, const Use& b) {
+    const auto upright = prism_of(builder, a), other = upright ? prism_of(builder, b) : std::nullopt;
+    if (!other) return std::nullopt;
+    const auto profile = flat_sum(builder, upright->profile, other->profile);
+    if (!profile) return std::nullopt;
+    return extruded(builder, *profile, upright->z0 + other->z0, upright->z1 + other->z1);
+}
+
+// Of convex bodies of revolution: their reach adds up in every direction, so what turns about the axis is the sum of what turned.
+std::optional<Use> sum_of_turned(SolidBuilder& builder, const Use& a, const Use& b) {
+    Meridians p, q, sum;
+    if (!p.add(builder, a, {}) || !q.add(builder, b, {}) || !p.convex || !q.convex) return std::nullopt;
+    for (const Ball& x : p.parts)
+        for (const Ball& y : q.parts) sum.parts.push_back({x.c + y.c, x.r + y.r});
+    sum.axis = *p.axis + *q.axis;
+    return turned_hull(builder, sum);
+}
+
 }  // namespace
 
 HullResult exact_hull(SolidBuilder& builder, const std::vector<Use>& operands) {
@@ -266,6 +354,8 @@ HullResult exact_hull(SolidBuilder& builder, const std::vector<Use>& operands) {
     if (builder.is_2d(operands[0].node)) return balls ? hull_of_discs(builder, *balls) : HullResult{};
     if (balls) return hull_of_balls(builder, *balls);
     if (auto prisms = hull_of_prisms(builder, operands)) return *prisms;
+    Meridians m;
+    if (std::all_of(operands.begin(), operands.end(), [&](const Use& use) { return m.add(builder, use, {}); })) return {turned_hull(builder, m), false};
     return {};
 }
 
@@ -278,11 +368,8 @@ std::optional<Use> exact_minkowski(SolidBuilder& builder, const Use& a, const Us
             for (const Ball& y : *q) sums.push_back({x.c + y.c, x.r + y.r});
         if (const auto hull = hull_of_balls(builder, std::move(sums)); hull.use) return hull.use;
     }
-    const auto upright = prism_of(builder, a), other = upright ? prism_of(builder, b) : std::nullopt;
-    if (!other) return std::nullopt;
-    const auto profile = flat_sum(builder, upright->profile, other->profile);
-    if (!profile) return std::nullopt;
-    return extruded(builder, *profile, upright->z0 + other->z0, upright->z1 + other->z1);
+    if (const auto prism = sum_of_prisms(builder, a, b)) return prism;
+    return sum_of_turned(builder, a, b);
 }
 
 }  // namespace whittle

@@ -1,4 +1,5 @@
-// exact_hull.h — hull() and minkowski() where they have an exact form: polytopes, balls and discs of any radii, upright prisms.
+// exact_hull.h — hull() and minkowski() where they have an exact form: polytopes, balls and discs of any radii, upright prisms, bodies of revolution
+// about one axis.
 //
 // The hull of balls is the union of the balls, of the cones that touch two of them, and of the polytope of the points in which planes touch three:
 // a flat part of the border lies in the polytope, a cone's in its cone, a ball's in its ball. In 2D likewise with discs, lines and a polygon.

@@ -94,6 +94,33 @@ TEST_CASE("hulls of two balls, of discs, of cylinders of one height stand as cur
     CHECK(exact_hull(b, {}).flat);
 }
 
+TEST_CASE("the hull of a cone, a cylinder and a ball on one axis turns about it") {
+    SolidBuilder b;
+    const NodeId cone = b.shape(shape::Frustum{0, 4, 5, 1}), bar = b.shape(shape::Frustum{0, 1, 2, 2});
+    const std::vector<Use> stack{at(cone, {3, 2, 0}), at(bar, {3, 2, 9})};
+    const HullResult straight = exact_hull(b, stack);
+    REQUIRE(straight.use);
+    for (const Vec3& d : kDirections) CHECK(reach(b, *straight.use, d) == Approx(std::max(reach(b, stack[0], d), reach(b, stack[1], d))).epsilon(1e-12));
+    const HullResult round = exact_hull(b, {stack[0], at(b.shape(shape::Ellipsoid{Vec3(2)}), {3, 2, 9})});
+    REQUIRE(round.use);
+    const Bounds box = b.bounds(*round.use);
+    CHECK(box.hi.z == Approx(11));
+    CHECK(box.lo.x == Approx(-2));
+    CHECK_FALSE(exact_hull(b, {stack[0], at(bar, {4, 2, 9})}).use);
+}
+
+TEST_CASE("a cylinder swept over a ball is a body of revolution, over a ring nothing exact") {
+    SolidBuilder b;
+    const Use bar = at(b.shape(shape::Frustum{0, 4, 3, 3})), cone = at(b.shape(shape::Frustum{0, 2, 1, 0}), {1, 0, 5});
+    const auto sum = exact_minkowski(b, bar, cone);
+    REQUIRE(sum);
+    for (const Vec3& d : kDirections) CHECK(reach(b, *sum, d) == Approx(reach(b, bar, d) + reach(b, cone, d)).epsilon(1e-12));
+    const auto rounded = exact_minkowski(b, bar, at(b.shape(shape::Ellipsoid{Vec3(1)})));
+    REQUIRE(rounded);
+    CHECK(b.bounds(*rounded).hi.z == Approx(5));
+    CHECK_FALSE(exact_minkowski(b, bar, at(b.shape(shape::Torus{3, 1}))));
+}
+
 TEST_CASE("a box grown by a ball is known by its reach; a ring has no exact sum") {
     SolidBuilder b;
     const Use box = at(b.shape(shape::Box{Vec3(0), Vec3(4, 3, 2)})), ball = at(b.shape(shape::Ellipsoid{Vec3(0.5)}), {1, 0, 0}), ring = at(b.shape(shape::Torus{3, 1}));
