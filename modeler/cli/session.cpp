@@ -13,6 +13,7 @@
 #include "modeler/cli/clip.h"
 #include "modeler/cli/dependencies.h"
 #include "modeler/io/files.h"
+#include "modeler/io/fonts.h"
 #include "modeler/io/parameter_set.h"
 
 namespace whittle {
@@ -119,6 +120,8 @@ Result<ReadScene> read_scene(Session& session, Preview preview) {
     session.stats.set("skip.equal", static_cast<double>(scene.canonical.skipped.equal));
     session.stats.set("skip.disjoint", static_cast<double>(scene.canonical.skipped.disjoint));
     session.stats.set("skip.buried", static_cast<double>(scene.canonical.skipped.buried));
+    session.stats.add("mesh.fallback", static_cast<double>(scene.canonical.mesh_fallbacks));
+    session.stats.set("loaded.font", fonts_are_loaded() ? 1 : 0);
     session.console.tell(diagnostics, scene.evaluated.sources, told_before);
     const bool errors = diagnostics.count(Severity::kError) > 0;
     if (errors || (scene.canonical.something_left_out && !session.request.common.allow_missing)) scene.verdict = Exit::kScene;
