@@ -1,6 +1,8 @@
 // embree_subject.cpp — Embree 3: single rays, packets of 16 with the coherent flag, high build quality, static.
 #include "bench/subject.h"
 
+#include <cmath>
+
 #include <embree3/rtcore.h>
 
 #include "bench/ray_sets.h"
@@ -46,17 +48,20 @@ void add_balls(Peer& peer, const std::vector<Ball>& balls) {
 }
 
 // The normal is stored as Embree leaves it, not made a unit vector.
+void first_from(Peer& peer, const Ray& ray, float from, Answer& answer) {
+    RTCRayHit r{};
+    r.ray.org_x = static_cast<float>(ray.origin.x), r.ray.org_y = static_cast<float>(ray.origin.y), r.ray.org_z = static_cast<float>(ray.origin.z);
+    r.ray.dir_x = static_cast<float>(ray.direction.x), r.ray.dir_y = static_cast<float>(ray.direction.y), r.ray.dir_z = static_cast<float>(ray.direction.z);
+    r.ray.tnear = from;
+    r.ray.tfar = HUGE_VALF;
+    r.ray.mask = ~0u;
+    r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(peer.scene, &peer.context, &r);
+    answer = r.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Answer{} : Answer{r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.primID};
+}
+
 void first_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
-    for (int i = 0; i < count; ++i) {
-        RTCRayHit r{};
-        r.ray.org_x = static_cast<float>(rays[i].origin.x), r.ray.org_y = static_cast<float>(rays[i].origin.y), r.ray.org_z = static_cast<float>(rays[i].origin.z);
-        r.ray.dir_x = static_cast<float>(rays[i].direction.x), r.ray.dir_y = static_cast<float>(rays[i].direction.y), r.ray.dir_z = static_cast<float>(rays[i].direction.z);
-        r.ray.tfar = HUGE_VALF;
-        r.ray.mask = ~0u;
-        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(peer.scene, &peer.context, &r);
-        answers[i] = r.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Answer{} : Answer{r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.primID};
-    }
+    for (int i = 0; i < count; ++i) first_from(peer, rays[i], 0, answers[i]);
 }
 
 void any_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
@@ -133,6 +138,29 @@ std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool 
     const std::string what = balls.empty() ? " (" + std::to_string(mesh.triangles.size()) + " triangles)" : " (balls)";
     if (query == Query::kAny) return {{"embree 1" + what, of(any_1), {}}, {"embree 16" + what, of(any_16), {}}};
     return {{"embree 1" + what, of(first_1), {}}, {"embree 16" + what, of(first_16), {}}};
+}
+
+std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std::vector<Ray>& rays) {
+    Peer peer;
+    peer.device = rtcNewDevice("threads=1");
+    peer.scene = rtcNewScene(peer.device);
+    rtcSetSceneFlags(peer.scene, RTC_SCENE_FLAG_ROBUST);
+    add_mesh(peer, mesh);
+    rtcCommitScene(peer.scene);
+    rtcInitIntersectContext(&peer.context);
+    std::vector<std::vector<double>> all(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Ray ray = rays[i];
+        float from = 0;
+        while (all[i].size() < 1000) {
+            Answer answer;
+            first_from(peer, ray, from, answer);
+            if (answer.t < 0) break;
+            all[i].push_back(answer.t);
+            from = std::nextafter(static_cast<float>(answer.t), HUGE_VALF);
+        }
+    }
+    return all;
 }
 
 }  // namespace whittle::bench

@@ -1,7 +1,9 @@
 // main.cpp — whittle-bench: times the engine against its peers, in one run.
 //
-//     whittle-bench rays [--scenes S1,S2] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
+//     whittle-bench stability [--rays 2000] [--csv FILE] [--cases DIR]
+//     whittle-bench rays [--scenes S1,S2] [--files part.scad] [--faceted] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
+//     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
@@ -11,9 +13,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bench/evaluation.h"
 #include "bench/program.h"
 #include "bench/race.h"
 #include "bench/ray_sets.h"
+#include "bench/stability.h"
 
 using namespace whittle;
 using namespace whittle::bench;
@@ -21,7 +25,8 @@ using namespace whittle::bench;
 namespace {
 
 struct Choice {
-    std::vector<std::string> scenes = scene_names();
+    std::vector<std::string> scenes = scene_names(), files;
+    bool faceted = false;
     std::vector<std::string> queries{"first", "any", "spans"};
     std::vector<std::string> rays{"camera", "incoherent"};
     std::string only;
@@ -44,27 +49,37 @@ std::string print(const std::string& scene, const std::string& query, const std:
     return lines;
 }
 
+Result<std::string> time_scene(const BenchScene& scene, const Choice& choice) {
+    std::string lines;
+    for (const std::string& kind : choice.rays) {
+        const bool coherent = kind == "camera";
+        const std::vector<Ray> rays = coherent ? camera_rays(scene, 640, 480) : incoherent_rays(scene, 400 * kBatch);
+        for (const std::string& query : choice.queries) {
+            Result<std::vector<Subject>> subjects = whittle_subjects(scene, query_of(query));
+            if (!subjects) return tl::unexpected<Error>(subjects.error());
+            const bool peers = choice.only.find("whittle") == std::string::npos;
+            if (peers)
+                for (Subject& peer : embree_subjects(scene, query_of(query), coherent)) subjects->push_back(std::move(peer));
+            std::erase_if(*subjects, [&](const Subject& s) { return s.name.find(choice.only) == std::string::npos; });
+            if (!subjects->empty()) lines += print(scene.name, query, kind, race(*subjects, rays, choice.race));
+        }
+    }
+    return lines;
+}
+
 int time_rays(const Choice& choice) {
     std::string lines = "scene,query,rays,subject,mray_s_median,mray_s_lower,mray_s_upper,first_row_over_this,rays_a_round,hit_share,checksum\n";
-    for (const std::string& name : choice.scenes) {
-        const BenchScene scene = make_scene(name);
-        for (const std::string& kind : choice.rays) {
-            const bool coherent = kind == "camera";
-            const std::vector<Ray> rays = coherent ? camera_rays(scene, 640, 480) : incoherent_rays(scene, 400 * kBatch);
-            for (const std::string& query : choice.queries) {
-                Result<std::vector<Subject>> subjects = whittle_subjects(scene, query_of(query));
-                if (!subjects) {
-                    fmt::print(stderr, "{}: {}\n", name, subjects.error().message);
-                    return 1;
-                }
-                const bool peers = choice.only.find("whittle") == std::string::npos;
-                if (peers)
-                    for (Subject& peer : embree_subjects(scene, query_of(query), coherent)) subjects->push_back(std::move(peer));
-                std::erase_if(*subjects, [&](const Subject& s) { return s.name.find(choice.only) == std::string::npos; });
-                if (subjects->empty()) continue;
-                lines += print(name, query, kind, race(*subjects, rays, choice.race));
-            }
+    std::vector<Result<BenchScene>> scenes;
+    if (choice.files.empty())
+        for (const std::string& name : choice.scenes) scenes.push_back(make_scene(name));
+    for (const std::string& path : choice.files) scenes.push_back(file_scene(path, choice.faceted));
+    for (const Result<BenchScene>& scene : scenes) {
+        const Result<std::string> rows = scene ? time_scene(*scene, choice) : tl::unexpected<Error>(scene.error());
+        if (!rows) {
+            fmt::print(stderr, "{}\n", rows.error().message);
+            return 1;
         }
+        lines += *rows;
     }
     if (choice.csv.empty()) return 0;
     std::ofstream out(choice.csv);
@@ -79,12 +94,26 @@ int main(int argc, char** argv) {
     Choice choice;
     CLI::App* rays = app.add_subcommand("rays", "rays through solids");
     rays->add_option("--scenes", choice.scenes, "of S1 ... S6")->delimiter(',')->check(CLI::IsMember(scene_names()));
+    rays->add_option("--files", choice.files, "scene files instead")->delimiter(',')->check(CLI::ExistingFile);
+    rays->add_flag("--faceted", choice.faceted, "files: OpenSCAD's facets instead of true curves");
     rays->add_option("--queries", choice.queries, "of first, any, spans")->delimiter(',')->check(CLI::IsMember({"first", "any", "spans"}));
     rays->add_option("--rays", choice.rays, "of camera, incoherent")->delimiter(',')->check(CLI::IsMember({"camera", "incoherent"}));
     rays->add_option("--only", choice.only, "subjects whose name holds this");
     rays->add_option("--rounds", choice.race.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");
+    StabilityOptions stability;
+    CLI::App* stable = app.add_subcommand("stability", "answers against binary128 by scale, distance, thickness, angle, depth and stretch");
+    stable->add_option("--rays", stability.rays, "of a row")->check(CLI::Range(1, 10'000'000));
+    stable->add_option("--csv", stability.csv, "also write the rows here");
+    stable->add_option("--cases", stability.cases_dir, "write scenes, rays and true first hits into this folder")->check(CLI::ExistingDirectory);
+    EvaluationOptions evaluation;
+    CLI::App* scripts = app.add_subcommand("evaluation", "scripts, against the openscad program");
+    scripts->add_option("--scripts", evaluation.scripts, "every .scad of this folder")->check(CLI::ExistingDirectory);
+    scripts->add_option("--whittle", evaluation.whittle, "the program");
+    scripts->add_option("--openscad", evaluation.openscad, "the peer");
+    scripts->add_option("--rounds", evaluation.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
+    scripts->add_option("--csv", evaluation.csv, "also write the rows here");
     CLI::App* program = app.add_subcommand("program", "the program itself: start, picture, a ray in a plate of holes");
     ProgramOptions whole{"whittle", "examples", 7};
     program->add_option("--program", whole.program, "path of whittle");
@@ -93,5 +122,6 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     if (program->parsed()) return time_program(whole);
-    return time_rays(choice);
+    if (scripts->parsed()) return time_evaluation(evaluation);
+    return stable->parsed() ? measure_stability(stability) : time_rays(choice);
 }

@@ -1,8 +1,9 @@
-// no_embree.cpp — what embree_subjects() is where Embree is not installed.
+// no_embree.cpp — what Embree answers where it is not installed.
 #include "bench/subject.h"
 
 namespace whittle::bench {
 
 std::vector<Subject> embree_subjects(const BenchScene&, Query, bool) { return {}; }
+std::vector<std::vector<double>> embree_all_hits(const PeerMesh&, const std::vector<Ray>&) { return {}; }
 
 }  // namespace whittle::bench

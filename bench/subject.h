@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/scene_mesh.h"
 #include "bench/scenes.h"
 #include "csg/base/result.h"
 #include "csg/span/ray.h"
@@ -34,5 +35,8 @@ Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query que
 
 // Embree on the mesh of the scene (chord error 1e-3 of the radius), or on its own balls. Empty where there is no such mesh, or no Embree.
 std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent);
+
+// t of every triangle that Embree in robust mode reports along each ray, ascending, asked by going on just behind the last one. Empty where there is no Embree.
+std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std::vector<Ray>& rays);
 
 }  // namespace whittle::bench
