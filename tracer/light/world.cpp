@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "tracer/engine/program.h"
+
 namespace whittle {
 
 namespace {
@@ -69,10 +71,15 @@ Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* sol
 Bounds World::focusing_bounds() const {
     Bounds all;
     for (const Part& part : parts_) {
-        if (!std::any_of(part.surfaces.begin(), part.surfaces.end(), [](const Surface& s) { return s.passes_on(); })) continue;
-        const Bounds own = program_bounds(*part.program);
-        if (own.empty()) continue;
-        all = all.empty() ? own : Bounds{glm::min(all.lo, own.lo), glm::max(all.hi, own.hi)};
+        const Program& program = *part.program;
+        for (std::size_t i = 0; i < program.leaves.size(); ++i) {
+            if (!part.surfaces[program.leaves[i].use].passes_on()) continue;
+            const FloatBox& leaf = program.leaf_boxes[i];
+            // A leaf without end shows no more than the solid holds.
+            const Bounds own{glm::max(Vec3(leaf.lo[0], leaf.lo[1], leaf.lo[2]), program.bounds.lo), glm::min(Vec3(leaf.hi[0], leaf.hi[1], leaf.hi[2]), program.bounds.hi)};
+            if (own.empty()) continue;
+            all = all.empty() ? own : Bounds{glm::min(all.lo, own.lo), glm::max(all.hi, own.hi)};
+        }
     }
     return all;
 }
