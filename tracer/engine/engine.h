@@ -47,7 +47,7 @@ struct LeafUse {
     SourcePlace place;
     bool subtracts = false;          // a cutter, or within one at any depth: its matter fills nothing
     std::uint32_t subtractions = 0;  // above it: 1 for a cutter, 2 for c in a - (b - c)
-    std::uint32_t cut_depth = 0;     // of a cutter: how many differences stand above the outermost one that subtracts it
+    std::uint32_t cut_depth = 0;     // of two cutters on one face the lesser shows: at each difference what it subtracts comes before what it is subtracted from
 };
 
 // First border met from outside to inside; or the exit if the ray starts inside (`from_inside`).

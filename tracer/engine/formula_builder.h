@@ -16,7 +16,6 @@ struct Site {
     MotionId motion = 0;
     bool negated = false;
     std::uint32_t subtractions = 0;
-    std::uint32_t cut_depth = 0, depth = 0;
     std::uint32_t use = 0xFFFFFFFF;  // set below an extrusion or revolution: its profile belongs to its use
     const Material* material = nullptr;
     SourcePlace place;
@@ -69,8 +68,13 @@ private:
     FormulaId join(FormulaKind kind, std::vector<FormulaId> children);
     FormulaId constant(bool value);
     FormulaId push(FormulaNode node);
+    void order_cuts();
+
+    // Uses made below a difference: [first, middle) of what is cut, [middle, end) of what cuts.
+    struct Parted { std::size_t first, middle, end; };
 
     const Solid& solid_;
+    std::vector<Parted> differences_;
     Formula out_;
     std::map<NodeId, std::shared_ptr<const TriangleList>> triangles_;
     std::string failure_;

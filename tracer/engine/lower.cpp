@@ -28,9 +28,26 @@ Result<Formula> FormulaBuilder::run() {
     site.material = &none;
     out_.root = use(solid_.root(), site);
     if (!failure_.empty()) return fail(Fault::kScene, failure_);
+    order_cuts();
     const FormulaNode& root = out_.nodes[out_.root];
     if (!root.outside_value && !root.box.empty()) out_.table.bound_by(root.box);
     return std::move(out_);
+}
+
+// At each difference the uses of what is cut change places with those of its cutters: a use's shift is summed over the differences above it.
+void FormulaBuilder::order_cuts() {
+    std::vector<std::int64_t> step(out_.uses.size() + 1, 0);
+    for (const Parted& d : differences_) {
+        const auto cut = static_cast<std::int64_t>(d.middle - d.first), cutters = static_cast<std::int64_t>(d.end - d.middle);
+        step[d.first] += cutters;
+        step[d.middle] -= cutters + cut;
+        step[d.end] += cut;
+    }
+    std::int64_t shift = 0;
+    for (std::size_t i = 0; i < out_.uses.size(); ++i) {
+        shift += step[i];
+        out_.uses[i].cut_depth = static_cast<std::uint32_t>(static_cast<std::int64_t>(i) + shift);
+    }
 }
 
 FormulaId FormulaBuilder::push(FormulaNode node) {
@@ -72,18 +89,19 @@ FormulaId FormulaBuilder::node(NodeId id, const Site& site) {
 }
 
 FormulaId FormulaBuilder::combination(const Combination& c, const Site& site) {
-    Site below = site;
-    if (c.op == SetOp::kDifference) ++below.depth;
+    const std::size_t first = out_.uses.size();
+    std::size_t middle = first;
     std::vector<FormulaId> parts;
     for (std::size_t i = 0; i < c.operands.size(); ++i) {
-        Site each = below;
+        Site each = site;
         if (c.op == SetOp::kDifference && i > 0) {
             each.negated = !site.negated;
-            if (site.subtractions == 0) each.cut_depth = below.depth;
             ++each.subtractions;
         }
         parts.push_back(use(c.operands[i], each));
+        if (i == 0) middle = out_.uses.size();
     }
+    if (c.op == SetOp::kDifference) differences_.push_back({first, middle, out_.uses.size()});
     return c.op == SetOp::kUnion ? any_of(std::move(parts), site) : all_of(std::move(parts), site);
 }
 
@@ -158,7 +176,7 @@ FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Boun
 FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
     if (site.use == kNoUse) {
         site.use = static_cast<std::uint32_t>(out_.uses.size());
-        out_.uses.push_back({*site.material, site.place, site.subtractions > 0, site.subtractions, site.cut_depth});
+        out_.uses.push_back({*site.material, site.place, site.subtractions > 0, site.subtractions, 0});
     }
     return std::visit(
         [&](const auto& s) -> FormulaId {

@@ -29,8 +29,7 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
         if (fewer) named = kNone;
         first = fewer ? use : std::min(first, use);
         if (!u.material.names_surface()) continue;
-        const auto rank = [&](std::uint32_t n) { return std::pair(program.uses[n].cut_depth, n); };
-        if (named == kNone || rank(use) < rank(named)) named = use;
+        if (named == kNone || u.cut_depth < program.uses[named].cut_depth) named = use;
     }
     if (first != kNone && !program.uses[first].subtracts) return first;
     if (named != kNone) return named;

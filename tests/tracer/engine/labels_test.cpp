@@ -28,7 +28,7 @@ struct Tree {
     SetOp op = SetOp::kUnion;
     std::vector<Tree> children;
     int subtractions = 0;  // above it
-    int cut_depth = 0;
+    int cut_order = 0;     // of cutters: at each difference what it subtracts comes before what it is subtracted from
 };
 
 // How the tree is built: as it is, or each leaf in the company of boxes far from the rays, or each operand turned to and fro so that nothing is flattened.
@@ -38,20 +38,17 @@ class Author {
 public:
     explicit Author(std::uint64_t seed) : random_(seed) {}
 
-    Tree tree(int depth, int subtractions, int cut_depth, int differences) {
+    Tree tree(int depth, int subtractions) {
         Tree t;
         t.subtractions = subtractions;
-        t.cut_depth = cut_depth;
         if (depth == 0 || one_in(4)) return interval(std::move(t));
         t.op = one_in(2) ? SetOp::kDifference : one_in(3) ? SetOp::kIntersection : SetOp::kUnion;
         const int count = 2 + static_cast<int>(one_in(3));
         for (int i = 0; i < count; ++i) {
-            const bool difference = t.op == SetOp::kDifference, cut = difference && i > 0;
-            t.children.push_back(tree(depth - 1, subtractions + cut, cut && subtractions == 0 ? differences : cut_depth, differences + (difference ? 1 : 0)));
+            t.children.push_back(tree(depth - 1, subtractions + (t.op == SetOp::kDifference && i > 0 ? 1 : 0)));
         }
         return t;
     }
-    const std::vector<Tree>& leaves() const { return leaves_; }
 
 private:
     bool one_in(int n) { return random_.between(0, n) < 1; }
@@ -60,16 +57,22 @@ private:
         t.leaf = true;
         t.from = static_cast<int>(random_.between(0, kEnd - 1));
         t.to = t.from + 1 + static_cast<int>(random_.between(0, kEnd - t.from - 1));
-        t.line = static_cast<std::uint32_t>(leaves_.size() + 1);
+        t.line = ++lines_;
         if (!one_in(3)) t.material.color = Vec4(t.line / 256.0, 0, 0, 1);
         if (one_in(8)) t.material.priority = 1;
-        leaves_.push_back(t);
         return t;
     }
 
     Random random_;
-    std::vector<Tree> leaves_;
+    std::uint32_t lines_ = 0;
 };
+
+void number_cutters(Tree& t, int& next) {
+    if (t.leaf) t.cut_order = next++;
+    const bool difference = t.op == SetOp::kDifference;
+    for (std::size_t i = difference ? 1 : 0; i < t.children.size(); ++i) number_cutters(t.children[i], next);
+    if (difference && !t.leaf) number_cutters(t.children[0], next);
+}
 
 bool holds(const Tree& t, double x) {
     if (t.leaf) return t.from < x && x < t.to;
@@ -105,7 +108,7 @@ const Tree* shown(const Tree& root, double x) {
     for (const Tree* l : leaves)
         if (!first || l->subtractions < first->subtractions) first = l;
     for (const Tree* l : leaves)
-        if (l->subtractions == first->subtractions && l->material.names_surface() && (!named || l->cut_depth < named->cut_depth)) named = l;
+        if (l->subtractions == first->subtractions && l->material.names_surface() && (!named || l->cut_order < named->cut_order)) named = l;
     if (first->subtractions == 0) return first;
     return named ? named : owner(root, holds(root, x + 0.5) ? x + 0.5 : x - 0.5);
 }
@@ -239,7 +242,9 @@ TEST_CASE("borders show and interfaces divide what the rule says, however the tr
     int borders = 0;
     for (std::uint64_t n = 0; n < 1500; ++n) {
         Author author(seed + n);
-        const Tree t = author.tree(1 + static_cast<int>(n % 4), 0, 0, 0);
+        Tree t = author.tree(1 + static_cast<int>(n % 4), 0);
+        int cutters = 0;
+        number_cutters(t, cutters);
         for (const Build how : {Build::kPlain, Build::kCrowded, Build::kWrapped}) {
             const auto program = compiled(solid_of(t, how));
             for (const double direction : {1.0, -1.0}) {
