@@ -49,7 +49,7 @@ TEST_CASE("spans lists the places inside where one matter meets another") {
 
 TEST_CASE("passes switched off change counters and no answer") {
     const TemporaryFolder folder;
-    const std::string scene = folder.file("work.scad", "difference() { cube(10); translate([50, 0, 0]) cube(1); }\ncube(10);\ntranslate([1, 1, 1]) sphere(1);\n"
+    const std::string scene = folder.file("work.scad", "difference() { cube(10); translate([50, 0, 0]) cube(1); }\ncube(10);\ntranslate([3, 3, 3]) sphere(1);\n"
                                                        "difference() { cylinder(3, 2, 1); cylinder(3, 2, 1); }\n");
     const std::vector<std::string> asked{"spans", scene, "--ray=-20,1.5,1.25,1,0,0", "--ray=5,-7,3,0,1,0", "--json"};
     const auto with = [&](std::vector<std::string> more) {
