@@ -140,8 +140,7 @@ Value version(FunctionCall& call) {
     return call.machine.heap().numbers(parts, 3);
 }
 Value version_num(FunctionCall& call) {
-    (void)call;
-    return Value(20210100.0);
+    return call.count() == 0 ? Value(20210100.0) : Value();
 }
 
 Value parent_module(FunctionCall& call) {

@@ -83,6 +83,7 @@ Value function_chr(FunctionCall& call) {
 }
 
 Value function_ord(FunctionCall& call) {
+    if (call.count() == 0) return {};
     if (call.count() != 1) {
         call.machine.warn(call.place, fmt::format("ord() called with {} arguments, only 1 argument expected", call.count()));
         return {};

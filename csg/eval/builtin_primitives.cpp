@@ -100,6 +100,8 @@ Made make_polyhedron(ModuleUse& use) {
             out.points.push_back(p);
         }
     out.faces = index_lists(faces);
+    out.given_points = points.is_vector() && out.points.size() == points.size();
+    out.given_faces = faces.is_vector();
     out.convexity = read_convexity(use[2], 1);
     return out;
 }
@@ -134,6 +136,8 @@ Made make_polygon(ModuleUse& use) {
             out.points.push_back(p);
         }
     out.paths = index_lists(use[1]);
+    out.given_points = points.is_vector() && out.points.size() == points.size();
+    out.given_paths = use[1].is_vector();
     out.convexity = read_convexity(use[2], 1);
     return out;
 }

@@ -41,7 +41,8 @@ Placement read_rotation(ModuleUse& use, const Value& a, const Value& v) {
     if (a.is_vector()) {
         double deg[3] = {0, 0, 0};
         bool good = a.size() <= 3;
-        for (std::uint32_t i = 0; i < std::min(a.size(), 3u); ++i) good = read_number(a[i], deg[i]) && good;
+        double angle = 0;  // one that is no number takes the value of the next, as in OpenSCAD
+        for (std::uint32_t i = std::min(a.size(), 3u); i-- > 0; deg[i] = angle) good = read_number(a[i], angle) && good;
         if (!v.is_undef())
             machine.warn(use.place, fmt::format("When parameter a is supplied as vector, v is ignored rotate(a={}, v={})", machine.text_of(a), machine.text_of(v)));
         if (!good) machine.warn(use.place, fmt::format("Problem converting rotate(a={}) parameter", machine.text_of(a)));

@@ -27,15 +27,15 @@ std::string point(const V& p) {
 }
 
 template <class Points>
-std::string points_text(const Points& points) {
-    if (points.empty()) return "undef";
+std::string points_text(const Points& points, bool given) {
+    if (points.empty()) return given ? "[]" : "undef";
     std::string out = "[";
     for (std::size_t i = 0; i < points.size(); ++i) out += (i > 0 ? ", " : "") + point(points[i]);
     return out + "]";
 }
 
-std::string indices_text(const std::vector<std::vector<std::int64_t>>& lists) {
-    if (lists.empty()) return "undef";
+std::string indices_text(const std::vector<std::vector<std::int64_t>>& lists, bool given) {
+    if (lists.empty()) return given ? "[]" : "undef";
     std::string out = "[";
     for (std::size_t i = 0; i < lists.size(); ++i) {
         out += i > 0 ? ", [" : "[";
@@ -60,12 +60,14 @@ struct Head {
         return fmt::format("cylinder({}, h = {}, r1 = {}, r2 = {}, center = {})", facets(), stream(c.h), stream(c.r1), stream(c.r2), c.center);
     }
     std::string operator()(const scene::Polyhedron& p) const {
-        return fmt::format("polyhedron(points = {}, faces = {}, convexity = {})", points_text(p.points), indices_text(p.faces), p.convexity);
+        return fmt::format("polyhedron(points = {}, faces = {}, convexity = {})", points_text(p.points, p.given_points), indices_text(p.faces, p.given_faces),
+                           p.convexity);
     }
     std::string operator()(const scene::Square& s) const { return fmt::format("square(size = [{}, {}], center = {})", stream(s.size.x), stream(s.size.y), s.center); }
     std::string operator()(const scene::Circle& c) const { return "circle(" + facets() + ", r = " + stream(c.r) + ")"; }
     std::string operator()(const scene::Polygon& p) const {
-        return fmt::format("polygon(points = {}, paths = {}, convexity = {})", points_text(p.points), indices_text(p.paths), p.convexity);
+        return fmt::format("polygon(points = {}, paths = {}, convexity = {})", points_text(p.points, p.given_points), indices_text(p.paths, p.given_paths),
+                           p.convexity);
     }
     std::string operator()(const scene::Torus& t) const { return fmt::format("torus({}, r1 = {}, r2 = {})", facets(), stream(t.r1), stream(t.r2)); }
     std::string operator()(const scene::Ellipsoid& e) const { return "ellipsoid(" + facets() + ", r = " + point(e.r) + ")"; }
@@ -167,9 +169,10 @@ std::string dump_csg(const Scene& scene) {
         const SceneNodeId id = node.children[top.next++];
         const std::size_t depth = top.depth;
         const SceneNode& child = scene.nodes[id];
-        if (child.modifiers & kBackground) out += "%";
-        if (child.modifiers & kHighlight) out += "#";
-        if ((child.modifiers & kRoot) && !(single && depth == 0)) out += "!";
+        const std::uint8_t modifiers = single && depth == 0 ? std::uint8_t{0} : child.modifiers;
+        if (modifiers & kBackground) out += "%";
+        if (modifiers & kHighlight) out += "#";
+        if (modifiers & kRoot) out += "!";
         out += std::string(depth, '\t') + std::visit(Head{child}, child.what) + (child.children.empty() ? ";\n" : " {\n");
         if (!child.children.empty()) open.push_back({id, 0, depth + 1, true});
     }

@@ -7,6 +7,12 @@ namespace whittle {
 
 using namespace code;
 
+namespace {
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> known) { return std::find(known.begin(), known.end(), name) != known.end(); }
+
+}  // namespace
+
 // Assignments and instantiations of a file or a module's body, whose names are declared.
 ScopeId Lowering::lower_body(const ast::Scope& scope, LexicalScope& lexical) {
     Scope out;
@@ -67,16 +73,10 @@ void Lowering::resolve_module(const ast::Instantiation& inst, Inst& out, Lexical
     }
 }
 
-bool asks_placement(std::string_view name) {
-    for (const char* known : {"light", "sun", "area_light", "environment", "camera"})
-        if (name == known) return true;
-    return false;
-}
+bool asks_placement(std::string_view name) { return is_one_of(name, {"light", "sun", "area_light", "environment", "camera"}); }
 
 bool is_control_module(std::string_view name) {
-    for (const char* known : {"for", "intersection_for", "if", "let", "assign", "echo", "assert", "each", "children", "child"})
-        if (name == known) return true;
-    return false;
+    return is_one_of(name, {"for", "intersection_for", "if", "let", "assign", "echo", "assert", "each", "children", "child"});
 }
 
 InstId Lowering::lower_instantiation(const ast::Instantiation& inst, LexicalScope& scope) {
@@ -106,6 +106,9 @@ InstId Lowering::lower_instantiation(const ast::Instantiation& inst, LexicalScop
             const std::size_t positional = add(builtin.positional);
             out.parameters = static_cast<std::uint32_t>(add(builtin.named));
             out_.sees_lights |= asks_placement(builtin.name);
+            out.checks_arguments = !is_one_of(builtin.name, {"union", "difference", "intersection", "group"});
+            out.refuses_children = !builtin.takes_children && !is_one_of(builtin.name, {"text", "import", "surface", "import_stl", "import_off", "import_dxf"});
+            out.clamps_facets = is_one_of(builtin.name, {"cube", "sphere", "cylinder", "polyhedron", "square", "circle", "polygon"});
             out.matched = match(inst.arguments, parameters, {}, positional, scope);
             break;
         }

@@ -94,6 +94,12 @@ void Machine::check_limits() {
     }
 }
 
+const std::string& Machine::hint(HintSearch search, NameId name) {
+    const auto [found, added] = hints_.try_emplace({search, name});
+    if (added) found->second = search(program_, names_, name);
+    return found->second;
+}
+
 std::string Machine::text_of(const Value& value) const {
     std::string out;
     append_text(out, value);

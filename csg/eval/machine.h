@@ -125,9 +125,8 @@ private:
     const code::Matched& matched_values(std::uint32_t which, std::uint32_t function);
     Value call_builtin(std::uint32_t builtin, std::span<Value> arguments, SourcePlace place);
     Frame* home_frame(const code::Home& home, Frame* frame);
-    void set_defaults(const std::vector<code::Parameter>& parameters, const code::Matched& matched, Frame* home, Frame* into);
-    void set_dynamic_defaults(const std::vector<code::Parameter>& parameters, Frame* home);
-    void pass_arguments(const code::Matched& matched, Frame* caller, Frame* into, SourcePlace place);
+    struct Frames { Frame* home; Frame* caller; Frame* into; };
+    void set_parameters(NameId callee, const std::vector<code::Parameter>& parameters, const code::Matched& matched, const Frames& frames, SourcePlace place);
     void trace(StopRun& stop, std::string_view name, SourcePlace place);
 
     // $-variables.
@@ -141,6 +140,7 @@ private:
     void make(code::InstId id, Frame* frame);
     void make_kind(const code::Inst& inst, Frame* frame);
     void make_builtin(const code::Inst& inst, Frame* frame);
+    void warn_of_facets(SourcePlace place);
     void make_user(const code::Inst& inst, Frame* frame);
     void make_loop(const code::Inst& inst, Frame* frame);
     void make_loop_level(const code::Inst& inst, std::size_t level, Frame* frame);
@@ -155,6 +155,9 @@ private:
     void keep_root(Scene& scene);
 
     void check_limits();
+    // The hint for an unknown name, searched for once.
+    using HintSearch = std::string (*)(const code::Program&, const Names&, NameId);
+    const std::string& hint(HintSearch search, NameId name);
 
     // Levels of the C stack that a call may take, for as long as it lives. Fails as endless recursion beyond kMaxDepth.
     class Depth {
@@ -178,6 +181,8 @@ private:
 
     static constexpr std::uint32_t kMaxModuleIterations = 10000;  // of a range in a for of modules
 
+    static constexpr double kLeastFacet = 0.01;  // $fa and $fs of OpenSCAD's primitives
+
     // A node marked with `!`, and the lights made under it.
     struct Root { SceneNodeId node; SourcePlace place; std::size_t first_light, end_light; };
 
@@ -200,6 +205,7 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, code::Matched> matches_;  // of a value call with a function it met
     struct LastMatch { std::uint32_t function = 0; const code::Matched* matched = nullptr; };
     std::vector<LastMatch> last_matches_;                   // by value call
+    std::map<std::pair<HintSearch, NameId>, std::string> hints_;
     Frame* tail_ = nullptr;                                 // of the call that a body ended in
     std::vector<NameId> module_names_;
     std::vector<std::string> recent_;                       // last messages

@@ -84,4 +84,10 @@ std::string hint_for_module(const code::Program& program, const Names& names, Na
     return suggestion(names.text(name), known);
 }
 
+std::string hint_of_signature(const Names& names, NameId callee, const std::vector<code::Parameter>& parameters) {
+    std::string out = "expected " + (callee == kNoName ? std::string("function") : names.text(callee)) + "(";
+    for (std::size_t i = 0; i < parameters.size(); ++i) out += (i > 0 ? ", " : "") + names.text(parameters[i].name);
+    return out + ")";
+}
+
 }  // namespace whittle

@@ -12,4 +12,7 @@ std::string hint_for_variable(const code::Program& program, const Names& names, 
 std::string hint_for_function(const code::Program& program, const Names& names, NameId name);
 std::string hint_for_module(const code::Program& program, const Names& names, NameId name);
 
+// How a function or module of the author's is called: "expected wheel(r, width)".
+std::string hint_of_signature(const Names& names, NameId callee, const std::vector<code::Parameter>& parameters);
+
 }  // namespace whittle

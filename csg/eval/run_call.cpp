@@ -23,29 +23,25 @@ Frame* Machine::home_frame(const Home& home, Frame* frame) {
     return made.get();
 }
 
-// Defaults see the frame of the definition, not the other parameters, and are evaluated before the arguments, given or not.
-void Machine::set_defaults(const std::vector<Parameter>& parameters, const Matched& matched, Frame* home, Frame* into) {
+// Sets the parameters of a call in `into`. Defaults see the frame of the definition, not the other parameters, and are evaluated before the arguments, given or
+// not; the arguments see the $-variables as they were before the call.
+void Machine::set_parameters(NameId callee, const std::vector<Parameter>& parameters, const Matched& matched, const Frames& frames, SourcePlace place) {
+    std::vector<std::pair<std::uint32_t, Value>> dynamics;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const Parameter& p = parameters[i];
-        if (p.dynamic) continue;
-        if (p.constant && i < 64 && (matched.given >> i & 1)) continue;
-        into->slots()[p.target] = p.value == code::kNone ? Value() : eval(p.value, home);
+        if (!p.dynamic && p.constant && i < 64 && (matched.given >> i & 1)) continue;
+        Value value = p.value == code::kNone ? Value() : eval(p.value, frames.home);
+        if (p.dynamic) dynamics.emplace_back(p.target, std::move(value));
+        else frames.into->slots()[p.target] = std::move(value);
     }
-}
-
-void Machine::set_dynamic_defaults(const std::vector<Parameter>& parameters, Frame* home) {
-    for (const Parameter& p : parameters)
-        if (p.dynamic) set_dynamic(p.target, p.value == code::kNone ? Value() : eval(p.value, home));
-}
-
-void Machine::pass_arguments(const Matched& matched, Frame* caller, Frame* into, SourcePlace place) {
     if (input_.check_parameters)
-        for (const std::string& complaint : matched.complaints) warn(place, complaint);
+        for (const std::string& complaint : matched.complaints) warn(place, complaint, hint_of_signature(names_, callee, parameters));
     for (const Passed& p : matched.passed) {
-        Value value = eval(p.value, caller);
-        if (p.to == Passed::To::kParameter || p.to == Passed::To::kSlot) into->slots()[p.target] = std::move(value);
-        else if (p.to == Passed::To::kDynamic) set_dynamic(p.target, std::move(value));
+        Value value = eval(p.value, frames.caller);
+        if (p.to == Passed::To::kParameter || p.to == Passed::To::kSlot) frames.into->slots()[p.target] = std::move(value);
+        else if (p.to == Passed::To::kDynamic) dynamics.emplace_back(p.target, std::move(value));
     }
+    for (auto& [which, value] : dynamics) set_dynamic(which, std::move(value));
 }
 
 Value Machine::call_function(const Call& call, Frame* frame, TermId id) {
@@ -79,9 +75,7 @@ Frame* Machine::next_frame(const Call& call, Frame* frame, TermId id) {
     }
     const FrameRef home(home_frame(call.home, frame));
     FrameRef inner(heap_.frame(f.layout.slots, home.get()));
-    set_defaults(f.parameters, call.matched, home.get(), inner.get());
-    if (call.sets_dynamic) set_dynamic_defaults(f.parameters, home.get());
-    pass_arguments(call.matched, frame, inner.get(), program_.places[id]);
+    set_parameters(call.name, f.parameters, call.matched, {home.get(), frame, inner.get()}, program_.places[id]);
     return inner.take();
 }
 
@@ -106,7 +100,7 @@ Value Machine::call_value(TermId id, Frame* frame) {
         return call_builtin(call.target, values, place);
     }
     if (!callee.is_function() && call.otherwise == ValueCall::Otherwise::kNothing) {
-        if (call.name != kNoName) warn(place, "Ignoring unknown function '" + names_.text(call.name) + "'", hint_for_function(program_, names_, call.name));
+        if (call.name != kNoName) warn(place, "Ignoring unknown function '" + names_.text(call.name) + "'", hint(hint_for_function, call.name));
         else warn(place, std::string("Can't call function on ") + type_name(callee.type()));
         return {};
     }
@@ -120,9 +114,7 @@ Value Machine::call_value(TermId id, Frame* frame) {
         if (callee.is_function()) retain(callee.function().frame);
         const FrameRef home(callee.is_function() ? callee.function().frame : home_frame(call.home, frame));
         const FrameRef inner(heap_.frame(f.layout.slots, home.get()));
-        set_defaults(f.parameters, matched, home.get(), inner.get());
-        set_dynamic_defaults(f.parameters, home.get());
-        pass_arguments(matched, frame, inner.get(), place);
+        set_parameters(call.name, f.parameters, matched, {home.get(), frame, inner.get()}, place);
         Value result = eval(f.body, inner.get());
         if (tail_) result = run_tail_calls(f, call.name);
         undo(before);

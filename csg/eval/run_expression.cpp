@@ -46,8 +46,8 @@ bool Machine::truth(TermId id, Frame* frame) {
     switch (term.op) {
         case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual: {
             Value first, second;
-            const Value& left = operand(term.a, frame, first);
-            const Value& right = operand(term.b, frame, second);
+            const Value& right = operand(term.b, frame, first);
+            const Value& left = operand(term.a, frame, second);
             if (left.is_number() && right.is_number()) return compare(term.op, left.number(), right.number());
             return eval_binary(general(term.op), left, right, id).truth();
         }
@@ -106,10 +106,11 @@ Value Machine::eval(TermId id, Frame* frame) {
     }
 }
 
+// OpenSCAD evaluates the right operand first, which shows in the order of messages.
 Value Machine::eval_arithmetic(const Term& term, TermId id, Frame* frame) {
     Value first, second;
-    const Value& left = operand(term.a, frame, first);
-    const Value& right = operand(term.b, frame, second);
+    const Value& right = operand(term.b, frame, first);
+    const Value& left = operand(term.a, frame, second);
     if (!left.is_number() || !right.is_number()) return eval_binary(general(term.op), left, right, id);
     switch (term.op) {
         case Op::kAdd: return Value(left.number() + right.number());
@@ -121,8 +122,8 @@ Value Machine::eval_arithmetic(const Term& term, TermId id, Frame* frame) {
 
 Value Machine::eval_comparison(const Term& term, TermId id, Frame* frame) {
     Value first, second;
-    const Value& left = operand(term.a, frame, first);
-    const Value& right = operand(term.b, frame, second);
+    const Value& right = operand(term.b, frame, first);
+    const Value& left = operand(term.a, frame, second);
     if (left.is_number() && right.is_number()) return Value(compare(term.op, left.number(), right.number()));
     return eval_binary(general(term.op), left, right, id);
 }
@@ -173,7 +174,7 @@ Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
     switch (term.op) {
         case Op::kDynamic: return eval_dynamic(term, id);
         case Op::kUnknown:
-            if (term.b == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(term.a) + "'", hint_for_variable(program_, names_, term.a));
+            if (term.b == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(term.a) + "'", hint(hint_for_variable, term.a));
             return {};
         case Op::kUnary: {
             Value hold;
@@ -185,8 +186,8 @@ Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
         }
         case Op::kBinary: {
             Value first, second;
-            const Value& left = operand(term.a, frame, first);
-            return eval_binary(static_cast<ast::Op>(term.c), left, operand(term.b, frame, second), id);
+            const Value& right = operand(term.b, frame, first);
+            return eval_binary(static_cast<ast::Op>(term.c), operand(term.a, frame, second), right, id);
         }
         case Op::kMember: return eval_member(term, frame);
         case Op::kRange: return eval_range(term, id, frame);
@@ -204,7 +205,7 @@ Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
         case Op::kFunction: return heap_.function(term.a, frame);
         case Op::kCallValue: return call_value(id, frame);
         case Op::kUnknownFunction:
-            warn(program_.places[id], "Ignoring unknown function '" + names_.text(term.a) + "'", hint_for_function(program_, names_, term.a));
+            warn(program_.places[id], "Ignoring unknown function '" + names_.text(term.a) + "'", hint(hint_for_function, term.a));
             return {};
         default: {  // kElements, or a generator on its own: a list
             const std::size_t base = stack_.size();
@@ -232,7 +233,7 @@ Value Machine::eval_dynamic(const Term& node, TermId id) {
     const Value& value = cells_[node.a];
     if (!value.is_unset()) return value;
     if (node.a == kParentModules && !module_names_.empty()) return Value(static_cast<double>(module_names_.size()));
-    if (node.c == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(node.b) + "'", hint_for_variable(program_, names_, node.b));
+    if (node.c == 0) warn(program_.places[id], "Ignoring unknown variable '" + names_.text(node.b) + "'", hint(hint_for_variable, node.b));
     return {};
 }
 
@@ -324,7 +325,8 @@ void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, s
         text += "'";
     }
     text += " failed";
-    if (message) text += ": " + text_of(eval(message->value, frame));
+    if (message)
+        if (const Value told = eval(message->value, frame); !told.is_undef()) text += ": " + text_of(told);
     fail(place, std::move(text));
 }
 

@@ -59,7 +59,7 @@ void Machine::make_kind(const Inst& inst, Frame* frame) {
         case InstKind::kBuiltin: return make_builtin(inst, frame);
         case InstKind::kUser: return make_user(inst, frame);
         case InstKind::kUnknown:
-            return warn(inst.place, "Ignoring unknown module '" + names_.text(inst.name) + "'", hint_for_module(program_, names_, inst.name));
+            return warn(inst.place, "Ignoring unknown module '" + names_.text(inst.name) + "'", hint(hint_for_module, inst.name));
         case InstKind::kFor:
         case InstKind::kIntersectionFor: return make_loop(inst, frame);
         case InstKind::kIf: return make_if(inst, frame);
@@ -89,18 +89,28 @@ void Machine::add_node(const Inst& inst, scene::What&& what, std::size_t first_c
     node.children.assign(pending_.data() + first_child, pending_.data() + pending_.size());
     node.place = inst.place;
     node.facets = facets();
+    if (inst.clamps_facets) {
+        node.facets.fa = std::max(node.facets.fa, kLeastFacet);
+        node.facets.fs = std::max(node.facets.fs, kLeastFacet);
+    }
     node.modifiers = inst.modifiers;
     pending_.resize(first_child);
     pending_.push_back(static_cast<SceneNodeId>(scene_->nodes.size() - 1));
+}
+
+void Machine::warn_of_facets(SourcePlace place) {
+    const Facets f = facets();
+    if (f.fs < kLeastFacet) warn(place, "$fs too small - clamping to 0.010000");
+    if (f.fa < kLeastFacet) warn(place, "$fa too small - clamping to 0.010000");
 }
 
 void Machine::make_builtin(const Inst& inst, Frame* frame) {
     const BuiltinModule& builtin = builtin_modules()[inst.target];
     const bool has_children = inst.children != code::kNone;
     const code::Scope* children = has_children ? &program_.scopes[inst.children] : nullptr;
-    if (children && !builtin.takes_children && !children->insts.empty())
+    if (children && inst.refuses_children && !(children->insts.empty() && children->binds.empty()))
         warn(inst.place, "module " + std::string(builtin.name) + "() does not support child modules");
-    if (input_.check_parameters)
+    if (input_.check_parameters && inst.checks_arguments)
         for (const std::string& complaint : inst.matched.complaints)
             warn(inst.place, complaint, builtin.signature.empty() ? std::string() : "expected " + std::string(builtin.signature));
     const std::size_t base = stack_.size();
@@ -110,6 +120,7 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
         if (p.to == Passed::To::kParameter) stack_[base + p.target] = std::move(value);
         else if (p.to == Passed::To::kDynamic) set_dynamic(p.target, std::move(value));
     }
+    if (inst.clamps_facets) warn_of_facets(inst.place);
     const std::size_t first = pending_.size();
     FrameRef block(nullptr);
     Frame* inside = frame;
@@ -156,9 +167,7 @@ void Machine::make_user(const Inst& inst, Frame* frame) {
     const FrameRef inner(heap_.frame(module.layout.slots, home.get()));
     ModuleCall call{&inst, outside};
     inner.get()->call = &call;
-    set_defaults(module.parameters, inst.matched, home.get(), inner.get());
-    set_dynamic_defaults(module.parameters, home.get());
-    pass_arguments(inst.matched, frame, inner.get(), inst.place);
+    set_parameters(inst.name, module.parameters, inst.matched, {home.get(), frame, inner.get()}, inst.place);
     inner.get()->slots()[module.children_slot] = Value(static_cast<double>(written));
     module_names_.push_back(inst.name);
     for (const auto& [name, place] : module.overwritten)

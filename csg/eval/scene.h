@@ -29,10 +29,20 @@ namespace scene {
 struct Cube { Vec3 size{1}; bool center = false; };
 struct Sphere { double r = 1; };
 struct Cylinder { double h = 1, r1 = 1, r2 = 1; bool center = false; };
-struct Polyhedron { std::vector<Vec3> points; std::vector<std::vector<std::int64_t>> faces; int convexity = 1; };  // faces clockwise from outside
+struct Polyhedron {
+    std::vector<Vec3> points;
+    std::vector<std::vector<std::int64_t>> faces;
+    int convexity = 1;
+    bool given_points = false, given_faces = false;  // by the author, perhaps as []
+};  // faces clockwise from outside
 struct Square { Vec2 size{1}; bool center = false; };
 struct Circle { double r = 1; };
-struct Polygon { std::vector<Vec2> points; std::vector<std::vector<std::int64_t>> paths; int convexity = 1; };  // no paths: all points in order
+struct Polygon {
+    std::vector<Vec2> points;
+    std::vector<std::vector<std::int64_t>> paths;
+    int convexity = 1;
+    bool given_points = false, given_paths = false;  // likewise
+};  // no paths: all points in order
 struct Torus { double r1 = 1, r2 = 0.5; };
 struct Ellipsoid { Vec3 r{1}; };
 struct HalfSpace { Vec3 n{0, 0, 1}; double d = 0; };

@@ -105,16 +105,6 @@ Value sum(Heap& heap, Op op, const Value& a, const Value& b, std::string& proble
     });
 }
 
-// Sum of a[i] * row[i]; false where an element is no number.
-bool dot(const Value& a, const Value& b, double& out) {
-    out = 0;
-    for (std::uint32_t i = 0; i < a.size(); ++i) {
-        if (!a[i].is_number() || !b[i].is_number()) return false;
-        out += a[i].number() * b[i].number();
-    }
-    return true;
-}
-
 Value matrix_times_vector(Heap& heap, const Value& m, const Value& v, std::string& problem) {
     if (m[0].size() != v.size()) {
         problem = fmt::format("matrix*vector requires matrix column count to match vector length ({} != {})", m[0].size(), v.size());
@@ -193,8 +183,11 @@ Value vector_product(Heap& heap, const Value& a, const Value& b, std::string& pr
             return {};
         }
         double total = 0;
-        if (dot(a, b, total)) return Value(total);
-        return undefined(Op::kMultiply, a, b, problem);
+        for (std::uint32_t i = 0; i < a.size(); ++i) {
+            if (!a[i].is_number() || !b[i].is_number()) return undefined(Op::kMultiply, a[i], b[i], problem);
+            total += a[i].number() * b[i].number();
+        }
+        return Value(total);
     }
     if (left == Type::kVector && right == Type::kNumber) return matrix_times_vector(heap, a, b, problem);
     if (left == Type::kNumber && right == Type::kVector) return vector_times_matrix(heap, a, b, problem);

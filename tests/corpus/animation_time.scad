@@ -1,0 +1,1 @@
+echo($t, $t + 1); rotate($t * 360) cube();

@@ -1,0 +1,1 @@
+function f(a, b, c) = [a, b, c]; echo(f(echo("1") 1, echo("2") 2, echo("3") 3)); echo([echo("x") 1, echo("y") 2]); echo((echo("l") 1) + (echo("r") 2)); cube([echo("c") 1, 2, 3], center = echo("d") true);

@@ -1,0 +1,3 @@
+echo(late);
+cube(late);
+late = 3;

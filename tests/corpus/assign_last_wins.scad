@@ -1,0 +1,5 @@
+a = 1;
+echo(a);
+b = a;
+a = 2;
+echo(a, b);

@@ -1,0 +1,1 @@
+echo(chr(65), chr(65, 66), chr([67, 68]), chr([69 : 71]), chr(0), chr(-1), chr(8364), chr(128512), chr(1114112), chr("a"), chr(undef), chr(), chr([]), chr(65.9), chr(55296), chr([0 : 20000]), chr([65, "x", 66]));

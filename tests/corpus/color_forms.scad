@@ -1,0 +1,1 @@
+color("red") cube(); color("Red") cube(); color("#f00") cube(); color("#ff0000") cube(); color("#f008") cube(); color("#ff000080") cube(); color([1, 0.5, 0]) cube(); color([1, 0, 0, 0.5]) cube(); color("blue", 0.3) cube(); color(c = "green", alpha = 0.5) cube(); color("transparent") cube(); color() cube(); color(alpha = 0.5) cube(); color([0.1]) cube(); color([1, 1]) cube();

@@ -1,0 +1,1 @@
+echo([each [1, 2], 3], [each [0 : 2]], [each "ab"], [each undef], [each 5], [each [[1, 2], [3]]], [for (i = [0 : 1]) each [i, i]], [each for (i = [0 : 1]) [i, [i]]], [each [], each [1]], [each each [[1, 2], [3]]]);

@@ -1,0 +1,1 @@
+echo([for (i = [1, 2, 3]) i], [for (i = [0 : 2], j = [i : 2]) [i, j]], [for (c = "abc") c], [for (c = "äö") ord(c)], [for (i = undef) i], [for (i = 5) i], [for (i = true) i], [for (i = []) i], [for (i = [3 : 1 : 1]) i]);

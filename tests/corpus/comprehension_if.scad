@@ -1,0 +1,1 @@
+echo([for (i = [0 : 9]) if (i % 2 == 0) i], [for (i = [0 : 3]) if (i > 1) i else -i], [if (true) 1], [if (false) 1], [1, if (true) 2, 3], [for (i = [0 : 5]) if (i > 1) if (i < 4) i], [for (i = [0 : 3]) if (i > 2) "a" else if (i > 1) "b" else "c"]);

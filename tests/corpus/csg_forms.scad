@@ -1,0 +1,1 @@
+union() { cube(); sphere(); } difference() { cube(2); sphere(); } intersection() { cube(2); sphere(2); } hull() { cube(); translate([5, 0, 0]) sphere(); } minkowski() { cube(); sphere(1); } minkowski(convexity = 3) cube(); group() { cube(); } union(); difference() { } hull() ; union() ; group();

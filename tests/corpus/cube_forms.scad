@@ -1,0 +1,1 @@
+cube(); cube(2); cube([1, 2, 3]); cube([1, 2, 3], true); cube(size = 4, center = true); cube(center = true); cube(0); cube(-1); cube([1, 0, 2]); cube(1/0); cube("a"); cube([1, 2]); cube([1, 2, "c"]); cube(undef); cube([1, 2, 3, 4]); cube(1, "yes"); cube(true);

@@ -1,0 +1,1 @@
+union() { module m() cube(); m(); }

@@ -1,0 +1,3 @@
+$f = function (x) x + 1;
+echo($f == undef);
+g = $f; echo(g(1));

@@ -1,0 +1,5 @@
+module m() { include <lib/snippet.scad>
+ echo(inner); }
+m();
+union() { include <lib/shape.scad>
+}

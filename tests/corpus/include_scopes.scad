@@ -1,0 +1,4 @@
+include <lib/values.scad>
+echo(size, size_twice());
+size = 9;
+marker();

@@ -1,0 +1,3 @@
+$mine = 10;
+module show() echo($mine);
+function mine() = $mine;

@@ -1,0 +1,2 @@
+cube(3);
+sphere(1);

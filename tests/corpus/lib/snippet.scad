@@ -1,0 +1,3 @@
+inner = 5;
+module helper() cube(inner);
+helper();

@@ -1,0 +1,1 @@
+t = [[0, 10], [10, 20], [5, 0]]; echo(lookup(0, t), lookup(2.5, t), lookup(-5, t), lookup(50, t), lookup(7.5, t), lookup(5, t), lookup(1, []), lookup("a", t), lookup(1, "b"), lookup(1, [[1]]), lookup(3, [[1, 2]]), lookup(0/0, t), lookup(1), lookup(2, [[1, 1], ["x", 5], [3, 3]]), lookup(1/0, t));

@@ -1,0 +1,1 @@
+echo(abs(-2), abs(2), sign(-3), sign(0), sign(5), sign(0/0), ceil(1.2), ceil(-1.2), floor(1.8), floor(-1.2), round(0.5), round(-0.5), round(2.5), round(1.4), sqrt(9), sqrt(-1), exp(0), exp(1), exp(1000), ln(1), ln(0), ln(-1), log(100), log(0), log(2, 8), log(10, 1000), pow(2, 10), pow(2, -1), pow(-8, 1/3));

@@ -1,0 +1,1 @@
+echo(min(1, 2), max(1, 2), min([3, 1, 2]), max([3, 1, 2]), min(5), max([5]), min([1], [2]), max("a"), min(), max([]), min(1, "a"), max(["a", "b"]), min([1, "a"]), max(1, undef), min([[1], [0]]), max(true, false));

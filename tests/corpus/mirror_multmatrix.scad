@@ -1,0 +1,2 @@
+mirror([1, 0, 0]) cube(); mirror([1, 1, 0]) cube(); mirror([0, 0, 0]) cube(); mirror() cube(); mirror("a") cube(); mirror([0, 1]) cube();
+multmatrix([[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]) cube(); multmatrix([[2, 0], [0, 2]]) cube(); multmatrix([[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3], [0, 0, 0, 2]]) cube(); multmatrix() cube(); multmatrix("a") cube(); multmatrix([[1, "b"]]) cube(); multmatrix([1, 2]) cube();

@@ -1,0 +1,1 @@
+offset(2) square(5); offset(r = -1) square(5); offset(delta = 1) square(5); offset(delta = 1, chamfer = true) square(5); offset(r = 1, delta = 5) square(5); offset() square(5); offset(r = "a") square(5); offset(r = 1, chamfer = true) square(5); offset(1, $fn = 8) square(5);

@@ -1,0 +1,1 @@
+projection() cube(); projection(cut = true) cube(); projection(true) cube(); projection(cut = false, convexity = 3) cube(); render() cube(); render(convexity = 5) cube(); render(3) { cube(); sphere(); }

@@ -1,0 +1,1 @@
+resize([10, 0, 0]) cube(); resize([10, 20, 30], auto = true) cube(); resize([10, 0, 0], auto = [true, false, true]) cube(); resize([5, 5]) square(); resize(5) cube(); resize() cube(); resize("a") cube(); resize([1, 2, 3], convexity = 4) cube();

@@ -1,0 +1,1 @@
+rotate_extrude() translate([3, 0]) circle(1); rotate_extrude(angle = 90) translate([3, 0]) circle(1); rotate_extrude(angle = -45, convexity = 4) square(); rotate_extrude(angle = 400) square(); rotate_extrude(angle = 0) square(); rotate_extrude($fn = 12) square(2); rotate_extrude(angle = "a") square(); rotate_extrude(angle = -400) square();

@@ -1,0 +1,1 @@
+module 3() cube(); module (a) cube();

@@ -1,0 +1,1 @@
+text("Hi"); text("Hi", 5); text("Hi", size = 5, font = "Liberation Sans:style=Bold"); text("x", halign = "center", valign = "top", spacing = 1.5, direction = "ltr", language = "de", script = "latin"); text(5); text(); text("q", $fn = 3);

@@ -1,0 +1,1 @@
+echo(version(), version_num(), version(1), version_num(1));
