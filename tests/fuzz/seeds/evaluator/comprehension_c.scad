@@ -1,0 +1,1 @@
+echo([for (i = 0; i < 3; i = i + 1) i], [for (i = 0, j = 10; i < j; i = i + 1, j = j - 2) [i, j]], [for (a = 1, b = 1; a < 50; c = a + b, a = b, b = c) a], [for (i = 0; false; i = i + 1) i], [for (i = 5; i > 0; i = i - 1) if (i % 2) i], [for (i = 0; i < 2; i = i + 1) each [i, i]]);

@@ -1,0 +1,1 @@
+echo(search(["a", "c"], [["a", 1], ["b", 2], ["c", 3]]), search(["x"], [["a", 1]]), search(["a"], [["a", 1], ["a", 2]], 0), search([1, 2], [1, 2, 1]), search([1, 2], [1, 2, 1], 0), search([[1, 2]], [[1, 2], [3, 4]]), search(["abc"], ["abc", "def"]), search([], [1]), search([undef], [1, undef]), search(undef, [1]), search(["a"], "abc"), search(true, [true]));
