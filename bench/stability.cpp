@@ -20,6 +20,9 @@ namespace whittle::bench {
 
 namespace {
 
+// Walls of this share of the solid's extent and less are taken for one surface in reading (2^-44), unless --no-snap is given.
+constexpr double kSnapMatters = 0x1p-43;
+
 struct Case {
     std::string axis;
     double value = 0;
@@ -160,8 +163,8 @@ std::vector<Question> questions(const Case& c, int rays, Row& row) {
     return list;
 }
 
-void ask_whittle(const Case& c, const std::vector<Question>& list, Row& row) {
-    const auto program = compile(solid_of(c.nest, as_doubles(c.exact)));
+void ask_whittle(const Case& c, const std::vector<Question>& list, const EngineOptions& options, Row& row) {
+    const auto program = compile(solid_of(c.nest, as_doubles(c.exact)), options);
     if (!program) return;
     Scratch scratch;
     Spans spans;
@@ -266,12 +269,17 @@ int measure_stability(const StabilityOptions& options) {
     std::string rows = "axis,value,program,rays,masked,wrong,error_median,error_worst,bound_median,beyond_bound,double_double_per_1000,exact_per_1000\n";
     std::size_t number = 0;
     for (const Case& c : cases()) {
-        Row whittle, embree;
+        Row whittle, unsnapped, embree;
         const auto list = questions(c, options.rays, whittle);
-        embree.rays = whittle.rays;
-        embree.masked = whittle.masked;
-        ask_whittle(c, list, whittle);
+        unsnapped = embree = whittle;
+        ask_whittle(c, list, {}, whittle);
         rows += print(c, "whittle", whittle);
+        if (c.thinnest < kSnapMatters) {
+            EngineOptions no_snap;
+            no_snap.snap = false;
+            ask_whittle(c, list, no_snap, unsnapped);
+            rows += print(c, "no-snap", unsnapped);
+        }
         ask_embree(c, list, embree);
         if (embree.borders > 0) rows += print(c, "embree", embree);
         if (!options.cases_dir.empty() && !write_case(options.cases_dir, number, c, list)) return 3;

@@ -26,7 +26,7 @@ def plot(axis, series):
     for i, (name, points) in enumerate(series.items()):
         colour = COLOURS[name]
         dash = ' stroke-dasharray="4 3"' if name == 'bound' else ''
-        path = ' '.join(f'{across(v):.1f},{down(y):.1f}' for v, y in points)
+        path = ' '.join(f'{across(v):.1f},{down(y):.1f}' for v, y in points if y > 0)  # 0: nothing was there to compare
         out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6"{dash}/><text x="{WIDTH - 84}" y="{TOP + 14 + 14 * i}" fill="{colour}">{name if name != "bound" else "whittle t_error"}</text>')
     return '\n'.join(out) + '\n</svg>\n'
 
@@ -38,7 +38,7 @@ def main():
     for axis, list_ in by_axis.items():
         series = collections.OrderedDict()
         for r in list_:
-            if r['program'] == 'openscad':
+            if r['program'] in ('openscad', 'no-snap'):
                 continue
             series.setdefault(r['program'], []).append((float(r['value']), number(r['error_median'])))
             if r['program'] == 'whittle':
@@ -52,6 +52,8 @@ def main():
             w = here['whittle']
             peer = lambda p: f"{100 * float(here[p]['wrong']):.4g} %" if p in here else '–'
             mesh = ('right' if float(here['openscad']['wrong']) == 0 else f"volume off by {float(here['openscad']['error_median']):.1g}") if 'openscad' in here else '–'
+            if 'no-snap' in here:
+                mesh += f" (Whittle with --no-snap: {peer('no-snap')} wrong)"
             print(f"| {value:.0e} | {100 * float(w['masked']):.3g} % | {float(w['error_median']):.1e} | {float(w['error_worst']):.1e} | {float(w['bound_median']):.1e} | {w['beyond_bound']} | "
                   f"{float(w['double_double_per_1000']):.3g}, {float(w['exact_per_1000']):.3g} | {peer('whittle')} | {peer('povray')} | {peer('embree')} | {mesh} |")
         print()
