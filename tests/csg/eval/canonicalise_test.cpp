@@ -203,6 +203,26 @@ TEST_CASE("parts carry their names") {
     CHECK(c.solid.label(c.solid.root().label).part == "lid");
 }
 
+TEST_CASE("an extrusion that shrinks evenly makes cones of its circles, leaning where they are off the axis") {
+    scene::LinearExtrude up;
+    up.height = 10;
+    up.scale = {0.5, 0.5};
+    Author upright;
+    CHECK(root_shape<shape::Frustum>(upright.canonical({upright.add(up, {upright.add(scene::Circle{4})})})) == shape::Frustum{0, 10, 4, 2});
+    Author leaning;
+    const Canonical c = leaning.canonical({leaning.add(up, {leaning.at({6, 8, 0}, leaning.add(scene::Circle{4}))})});
+    const Use cone = c.solid.root();
+    CHECK(root_shape<shape::Frustum>(c) == shape::Frustum{0, 10, 4, 2});
+    CHECK(apply_to_point(cone.placement, {4, 0, 0}) == Vec3(10, 8, 0));
+    CHECK(glm::length(apply_to_point(cone.placement, {2, 0, 10}) - Vec3(5, 4, 10)) < 1e-14);
+    Author ring;
+    const Canonical r = ring.canonical({ring.add(up, {ring.add(scene::Difference{}, {ring.add(scene::Circle{4}), ring.add(scene::Circle{1})})})});
+    CHECK(root_as<Combination>(r).op == SetOp::kDifference);
+    up.scale = {0.5, 1};
+    Author uneven;
+    CHECK(root_shape<shape::Extrusion>(uneven.canonical({uneven.add(up, {uneven.add(scene::Circle{4})})})).scale_top == Vec2(0.5, 1));
+}
+
 TEST_CASE("upright extrusions of simple outlines are boxes and cylinders") {
     Author a;
     scene::LinearExtrude up;
