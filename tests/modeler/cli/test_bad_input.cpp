@@ -48,7 +48,6 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
         {"negative tube", "torus(r1 = 5, r2 = -1);\n", 1, "torus() has tube radius -1, left out in file a.scad, line 1"},
         {"zero scale", "scale([1, 0, 1]) cube(1);\n", 1, "Scaling a 3D object with 0 - removing object in file a.scad, line 1"},
         {"unknown material", "material(\"glas\") cube(1);\n", 1, "did you mean \"glass\"?"},
-        {"flat", "square(3);\n", 1, "not a 3D object"},
         {"open polyhedron", "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n", 1,
          "polyhedron() is not closed (3 open edges), left out in file a.scad, line 1"},
     };
@@ -60,6 +59,18 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
         CHECK(outcome.code == scene.code);
         CHECK(contains(outcome.err, scene.part));
         if (scene.code != 0 && scene.name != std::string("unknown material")) CHECK(folder.names() == std::vector<std::string>{"a.scad"});
+    }
+}
+
+TEST_CASE("what is flat has no mesh and no measure") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "square(3);\n");
+    for (const char* verb : {"mesh", "check", "measure"}) {
+        const Outcome outcome = run_whittle({verb, scene});
+        INFO(verb);
+        CHECK(outcome.code == 1);
+        CHECK(contains(outcome.err, "Current top level object is not a 3D object."));
+        CHECK(outcome.out.empty());
     }
 }
 

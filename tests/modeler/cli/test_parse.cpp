@@ -54,7 +54,7 @@ TEST_CASE("-D takes one word and leaves the scene's name alone") {
 
 TEST_CASE("options that all verbs share are read") {
     const Request request = read({"measure", "-", "--threads", "3", "--seed", "42", "--json", "-q", "--hardwarnings", "--allow-missing", "--limit-time", "2.5",
-                                  "--limit-memory", "100", "--disable", "boxes,tiles", "-d", "x.d", "--stats", "s.json", "--no-snap", "--progress", "json",
+                                  "--limit-memory", "100", "--disable", "equal,buried", "-d", "x.d", "--stats", "s.json", "--no-snap", "--progress", "json",
                                   "--diagnostics=json", "-p", "p.json", "-P", "small"});
     const CommonRequest& common = request.common;
     CHECK(request.inputs == std::vector<std::string>{"-"});
@@ -66,7 +66,7 @@ TEST_CASE("options that all verbs share are read") {
     CHECK(common.allow_missing);
     CHECK(common.limit_seconds == 2.5);
     CHECK(common.limit_bytes == 104857600);
-    CHECK(common.disabled_passes == std::vector<std::string>{"boxes", "tiles"});
+    CHECK(common.disabled_passes == std::vector<std::string>{"equal", "buried"});
     CHECK(common.dependency_file == "x.d");
     CHECK(common.stats_file == "s.json");
     CHECK_FALSE(common.snap);
