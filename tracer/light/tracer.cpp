@@ -249,6 +249,7 @@ Vec3 Tracer::through_rough(const Ray& ray, const Border& border, const Branch& b
     if (branch.hues.white() && !onward.hues.white()) {
         onward.hues.hero_alone(*stage_.spectrum);
         share *= onward.hues.color();
+        ++counters_.wavelengths;
     }
     Ray next = ray;
     next.origin = border.point;

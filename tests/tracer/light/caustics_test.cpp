@@ -1,0 +1,227 @@
+// Light from the lamps through what focuses: energy, and that it agrees with paths from the eye.
+#include "scenes.h"
+
+#include <cmath>
+
+#include "tracer/light/light_pass.h"
+#include "tracer/light/scattering.h"
+#include "tracer/light/stage.h"
+
+using namespace whittle;
+using namespace whittle::test;
+
+namespace {
+
+// A glass ball of radius 5 at height `z` over a grey floor.
+Solid ball_over_floor(double z) {
+    SceneBuilder b;
+    b.add(b.ball(5, preset("glass"), moved(0, 0, z)));
+    b.add(b.box(Vec3(-60, -60, -1), Vec3(60, 60, 0), matte(0.7, 0.7, 0.7)));
+    return b.finish();
+}
+
+std::shared_ptr<const Stage> prepared(const Solid& solid, RenderScene scene, const RenderOptions& options) {
+    const auto program = compile(solid);
+    REQUIRE(program);
+    scene.solid = &solid;
+    auto stage = prepare(*program, scene, options);
+    REQUIRE(stage);
+    return *stage;
+}
+
+RenderOptions caustics_options(int size, int samples, Integrator integrator = Integrator::kCaustics) {
+    RenderOptions o = small_options();
+    o.width = o.height = size;
+    o.samples = samples;
+    o.integrator = integrator;
+    o.max_depth = 64;
+    o.filter = FilterKind::kBox;
+    return o;
+}
+
+// A ball lamp beside the glass ball; the camera looks at its caustic from above.
+RenderScene lamp_and_caustic() {
+    PointLight p;
+    p.p = Vec3(30, 0, 38);
+    p.radius = 6;
+    p.power = 2e5;
+    RenderScene scene;
+    scene.lights = {lamp(p), around(Vec3(0))};
+    scene.camera = looking(Vec3(-25, -40, 45), Vec3(-6, 0, 0), 14);
+    return scene;
+}
+
+double flux_by_snell(double radius, double index, double plane, double spot) {
+    // Of parallel light of irradiance 1 on a ball about the origin: what reaches a disc of radius `spot` in the plane z = -plane, by two refractions.
+    double sum = 0;
+    const int n = 200000;
+    for (int i = 0; i < n; ++i) {
+        const double b = radius * (i + 0.5) / n, in = std::asin(b / radius), within = std::asin(b / (radius * index));
+        const double turned = 2 * (in - within), x = radius * std::sin(2 * within - in), z = radius * std::cos(in - 2 * within);
+        if (std::abs(x - std::tan(turned) * (plane - z)) > spot) continue;
+        const double open = 1 - fresnel_dielectric(std::cos(in), 1 / index);
+        sum += open * open * 2 * kPi * b * radius / n;
+    }
+    return sum;
+}
+
+struct TileMeans {
+    std::vector<double> mean, variance;
+};
+
+TileMeans tiles_of_film(const Film& film, int side) {
+    TileMeans t;
+    for (int y0 = 0; y0 + side <= film.height; y0 += side)
+        for (int x0 = 0; x0 + side <= film.width; x0 += side) {
+            double mean = 0, variance = 0;
+            for (int y = y0; y < y0 + side; ++y)
+                for (int x = x0; x < x0 + side; ++x) {
+                    const Vec3 c = film.color(film.index(x, y));
+                    mean += 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+                    variance += film.variance(film.index(x, y));
+                }
+            t.mean.push_back(mean / (side * side));
+            t.variance.push_back(variance / (side * side * side * side));
+        }
+    return t;
+}
+
+double chi_square(const TileMeans& a, const TileMeans& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.mean.size(); ++i) sum += (a.mean[i] - b.mean[i]) * (a.mean[i] - b.mean[i]) / (a.variance[i] + b.variance[i]);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("all the light that a glass ball takes in reaches the walls of the room, to 1 percent") {
+    SceneBuilder b;
+    b.add(b.ball(5, preset("glass")));
+    const Use hollow = b.combined(SetOp::kDifference, {b.box(Vec3(-40), Vec3(40), matte(0.5, 0.5, 0.5)), b.box(Vec3(-39), Vec3(39))});
+    b.add(hollow);
+    PointLight p;
+    p.p = Vec3(0, 0, 20);
+    p.power = 4 * kPi * 100;
+    RenderScene scene;
+    scene.lights = {lamp(p), around(Vec3(0))};
+    scene.camera = looking(Vec3(20, 0, 20));
+    RenderOptions o = caustics_options(256, 1);
+    o.max_depth = 1000;
+    const Solid solid = b.finish();
+    const auto stage = prepared(solid, scene, o);
+    REQUIRE(stage->light_passes);
+    double flux = 0;
+    for (const Photon& photon : stage->light_passes->pass(0)->map().photons()) flux += photon.power.x;
+    // Intensity 100 within the cone that touches the ball.
+    CHECK(flux == Approx(100 * 2 * kPi * (1 - std::sqrt(1 - 0.25 * 0.25))).epsilon(1e-2));
+}
+
+TEST_CASE("the focus of a ball lens holds the energy that Snell and Fresnel send there, to 1 percent") {
+    const Solid solid = ball_over_floor(7.5);
+    SunLight sun;
+    sun.irradiance = 1;
+    RenderScene scene;
+    scene.lights = {Light{sun, {}}, around(Vec3(0))};
+    scene.camera = looking(Vec3(0, -60, 60));
+    const auto stage = prepared(solid, scene, caustics_options(512, 1));
+    REQUIRE(stage->light_passes);
+    for (double spot : {0.4, 1.0, 2.0}) {
+        double flux = 0;
+        for (const Photon& photon : stage->light_passes->pass(0)->map().photons())
+            if (photon.point.x * photon.point.x + photon.point.y * photon.point.y < spot * spot && photon.point.z > -1e-9) flux += photon.power.x;
+        INFO("within " << spot << " mm");
+        CHECK(flux == Approx(flux_by_snell(5, 1.5, 7.5, spot)).epsilon(1e-2));
+    }
+}
+
+TEST_CASE("caustics drawn from the lamp, gathered as photons and found by paths from the eye agree") {
+    const Solid solid = ball_over_floor(8);
+    const RenderResult path = drawn(solid, lamp_and_caustic(), caustics_options(16, 1024, Integrator::kPath));
+    const RenderResult lit = drawn(solid, lamp_and_caustic(), caustics_options(16, 64));
+    CHECK(lit.counters.photons > 0);
+    CHECK(path.counters.photons == 0);
+    // 16 tiles; chi-square of 16 degrees exceeds 39.3 once in a thousand.
+    CHECK(chi_square(tiles_of_film(path.film, 4), tiles_of_film(lit.film, 4)) < 39.3);
+
+    RenderOptions photons_only = caustics_options(16, 64);
+    photons_only.disabled_passes = {"light_tracing"};
+    const TileMeans gathered = tiles_of_film(drawn(solid, lamp_and_caustic(), photons_only).film, 16), whole = tiles_of_film(lit.film, 16);
+    // The search radius spreads light over its disc: up to 4 percent here.
+    CHECK(gathered.mean[0] == Approx(whole.mean[0]).epsilon(0.04));
+    // The caustic is what is compared: without it the floor is much darker.
+    RenderOptions none = caustics_options(16, 64, Integrator::kDistributed);
+    SceneBuilder b;
+    b.add(b.ball(5, matte(0, 0, 0), moved(0, 0, 8)));
+    b.add(b.box(Vec3(-60, -60, -1), Vec3(60, 60, 0), matte(0.7, 0.7, 0.7)));
+    CHECK(tiles_of_film(drawn(b.finish(), lamp_and_caustic(), none).film, 16).mean[0] < 0.8 * whole.mean[0]);
+}
+
+TEST_CASE("the search radius shrinks as the sixth root of the passes") {
+    const Solid solid = ball_over_floor(8);
+    const auto stage = prepared(solid, lamp_and_caustic(), caustics_options(8, 1));
+    REQUIRE(stage->light_passes);
+    const double slope = std::log(stage->light_passes->radius(40000) / stage->light_passes->radius(5000)) / std::log(8.0);
+    CHECK(slope == Approx(-1.0 / 6).epsilon(1e-3));
+}
+
+TEST_CASE("caustics have the same bits on any number of threads and after a resumption") {
+    const Solid solid = ball_over_floor(8);
+    RenderOptions o = caustics_options(20, 6);
+    o.threads = 1;
+    const Film one = drawn(solid, lamp_and_caustic(), o).film;
+    o.threads = 3;
+    CHECK(drawn(solid, lamp_and_caustic(), o).film.pixels == one.pixels);
+    // A film that stopped after its first sample: the other samples are the same ones.
+    const auto program = compile(solid);
+    REQUIRE(program);
+    RenderControl control;
+    control.stop = true;
+    RenderScene scene = lamp_and_caustic();
+    scene.solid = &solid;
+    const Result<RenderResult> stopped = render(*program, scene, o, control);
+    REQUIRE(stopped);
+    REQUIRE(stopped->samples_finished == 1);
+    CHECK(drawn(solid, lamp_and_caustic(), o, &stopped->film).film.pixels == one.pixels);
+}
+
+TEST_CASE("no photons without something that focuses, without something dull, or without lamps") {
+    const auto photons = [](const Material& ball, const Material& floor, std::vector<Light> lights) {
+        SceneBuilder b;
+        b.add(b.ball(5, ball, moved(0, 0, 8)));
+        b.add(b.box(Vec3(-60, -60, -1), Vec3(60, 60, 0), floor));
+        RenderScene scene = lamp_and_caustic();
+        scene.lights = std::move(lights);
+        const RenderResult r = drawn(b.finish(), scene, caustics_options(8, 1));
+        CHECK(r.counters.skipped_photons == (r.counters.photons > 0 ? 0 : r.counters.camera));
+        return r.counters.photons;
+    };
+    const std::vector<Light> lamps = lamp_and_caustic().lights;
+    CHECK(photons(preset("glass"), matte(1, 1, 1), lamps) > 0);
+    CHECK(photons(matte(1, 1, 1), matte(1, 1, 1), lamps) == 0);
+    CHECK(photons(preset("glass"), preset("mirror"), lamps) == 0);
+    CHECK(photons(preset("glass"), matte(1, 1, 1), {around(Vec3(1))}) == 0);
+}
+
+TEST_CASE("a rainbow: behind a dispersing ball red and blue have their foci apart, together they are white") {
+    SceneBuilder b;
+    Material glass = preset("glass");
+    glass.dispersion = 10;
+    b.add(b.ball(5, glass, moved(0, 0, 7.5)));
+    b.add(b.box(Vec3(-60, -60, -1), Vec3(60, 60, 0), matte(0.7, 0.7, 0.7)));
+    SunLight sun;
+    sun.irradiance = 1;
+    RenderScene scene;
+    scene.lights = {Light{sun, {}}, around(Vec3(0))};
+    scene.camera = looking(Vec3(0, -60, 60));
+    const Solid solid = b.finish();
+    const auto stage = prepared(solid, scene, caustics_options(256, 1));
+    REQUIRE(stage->light_passes);
+    Vec3 inner(0), all(0);
+    for (const Photon& photon : stage->light_passes->pass(0)->map().photons()) {
+        all += photon.power;
+        if (glm::length(Vec2(photon.point)) < 0.3) inner += photon.power;
+    }
+    // Blue is reflected a little more.
+    CHECK(all.x == Approx(all.z).epsilon(0.04));
+    CHECK(std::abs(inner.x / inner.z - 1) > 0.1);
+}
