@@ -33,7 +33,7 @@ struct VerbInfo {
 
 constexpr VerbInfo kVerbs[] = {
     {"render", Verb::kRender, "FILE.scad [-o picture.png|.exr|.jpg|.tif]", "Draws the exact solid."},
-    {"mesh", Verb::kMesh, "FILE.scad [-o part.stl|.3mf|.off|.obj|.ply|.amf|.glb|.om]", "Writes the solid as a closed triangle mesh (CGAL booleans)."},
+    {"mesh", Verb::kMesh, "FILE.scad [-o part.stl|.3mf|.off|.obj|.ply|.amf|.glb|.om]", "Writes the solid as a closed triangle mesh (exact booleans)."},
     {"check", Verb::kCheck, "FILE.scad", "Do the exact solid and its mesh agree, within a bound fixed beforehand? Exit code 4 if not."},
     {"measure", Verb::kMeasure, "FILE.scad", "Volume, area, centroid, inertia and bounds, each with its error."},
     {"spans", Verb::kSpans, "FILE.scad --ray ox,oy,oz,dx,dy,dz", "What a ray meets: where, on which surface, of which line of the scene."},
