@@ -223,6 +223,17 @@ TEST_CASE("an extrusion that shrinks evenly makes cones of its circles, leaning 
     CHECK(root_shape<shape::Extrusion>(uneven.canonical({uneven.add(up, {uneven.add(scene::Circle{4})})})).scale_top == Vec2(0.5, 1));
 }
 
+TEST_CASE("an extrusion along a vector leans, about the plane z = 0") {
+    scene::LinearExtrude up;
+    up.height = 8;
+    up.lean = {0.25, 0.5};
+    Author a;
+    CHECK(a.canonical({a.add(up, {a.add(scene::Square{{2, 3}, false})})}).solid.root_bounds() == Bounds{Vec3(0), {4, 7, 8}});
+    up.center = true;
+    Author centred;
+    CHECK(centred.canonical({centred.add(up, {centred.add(scene::Square{{2, 3}, false})})}).solid.root_bounds() == Bounds{{-1, -2, -4}, {3, 5, 4}});
+}
+
 TEST_CASE("upright extrusions of simple outlines are boxes and cylinders") {
     Author a;
     scene::LinearExtrude up;
