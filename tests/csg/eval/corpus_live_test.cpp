@@ -21,7 +21,7 @@ std::string undated(const std::string& csg) { return std::regex_replace(csg, std
 std::string answer(const std::string& scene, const fs::path& out) {
     fs::remove(out);
     const std::string command = "cd '" + kCorpus.string() + "' && openscad -o '" + out.string() + "' '" + scene + ".scad' > /dev/null 2>&1";
-    std::system(command.c_str());  // fails for scenes that are meant to fail; what it wrote counts
+    [[maybe_unused]] const int status = std::system(command.c_str());  // fails for scenes that are meant to fail; what it wrote counts
     return DiscFiles().read_text(out.string()).value_or("");
 }
 
