@@ -127,7 +127,7 @@ public:
         draw(cluster, mesh);
         if (mesh.failed() || !find_covers(cluster, mesh)) return false;
         for (std::uint32_t t = 0; t < mesh.cells().size(); ++t) {
-            if (cover_of_[t] == 0) continue;
+            if (cover_of_[t] == 0 || cancels(out_.covers[cover_of_[t]])) continue;
             const auto& v = mesh.cells()[t].v;
             out_.faces.push_back({{mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])}, number, cover_of_[t], number});
         }
@@ -154,6 +154,20 @@ private:
             lo[k] = static_cast<std::int64_t>(box.lo[k]) - margin;
             hi[k] = static_cast<std::int64_t>(box.hi[k]) + margin;
         }
+    }
+
+    // Facets of one operand folded onto each other: no winding number changes here.
+    bool cancels(const Cover& cover) const {
+        if (cover.size() < 2) return false;
+        std::vector<std::pair<std::uint32_t, int>> sums;
+        for (const CoverEntry& e : cover) sums.emplace_back(patches_.facets[e.facet].operand, e.sign);
+        std::sort(sums.begin(), sums.end());
+        for (std::size_t i = 0, j; i < sums.size(); i = j) {
+            int sum = 0;
+            for (j = i; j < sums.size() && sums[j].first == sums[i].first; ++j) sum += sums[j].second;
+            if (sum != 0) return false;
+        }
+        return true;
     }
 
     void draw(const Cluster& cluster, PlanarMesh& mesh) {

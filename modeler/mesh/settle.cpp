@@ -12,6 +12,8 @@ namespace {
 
 // More rounds than any mesh has needed.
 constexpr int kRounds = 6;
+// With more pairs than this the model is too fine for the precision: arranging it would take minutes and help little. They are told instead.
+constexpr std::uint64_t kMostCrossings = 2000;
 
 Settled looked_at(Mesh mesh) {
     weld(mesh);
@@ -57,7 +59,7 @@ Settled settled_on_grid(Settled first, const Mesh& mesh, int bits, MeshControl& 
     exponent -= bits;
     Settled best = std::move(first);
     Mesh now = mesh;
-    for (int round = 0; round < kRounds && best.crossings > 0 && !control.cancelled(); ++round) {
+    for (int round = 0; round < kRounds && best.crossings > 0 && best.crossings <= kMostCrossings && !control.cancelled(); ++round) {
         auto next = rearranged(now, exponent, control);
         if (!next) break;
         now = std::move(*next);
