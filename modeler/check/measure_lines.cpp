@@ -17,11 +17,11 @@ namespace whittle {
 namespace {
 
 // Work that about a second allows, in units of a primitive's test; a line costs some of its own.
-constexpr double kWorkBudget = 2e7;
+constexpr double kWorkBudget = 3e7;
 constexpr double kWorkOfALine = 12;
 // An edge of an outline costs every line that comes near; the engine's counter of tests does not see it.
 constexpr double kWorkOfAnEdge = 0.1;
-constexpr double kLeastLines = 256, kMostLines = 16384;  // of a direction of a randomisation
+constexpr double kLeastLines = 256, kMostLines = 32768;  // of a direction of a randomisation
 
 // A direction and the rectangle across it that the solid's box is seen in.
 struct Sheet {

@@ -3,6 +3,7 @@
 // Both read the same formula (lowered.h), so nothing is masked: every border, every t within its bound, on solids snapped and not.
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 
@@ -37,8 +38,20 @@ std::string report(Theme theme, std::uint64_t seed, bool snap, const Solid& soli
            fault_of(small, snap, ray) + "\n  " + to_code(small);
 }
 
+// Pairs of a ray and a solid that holds a shape of the kind, by kind.
+using KindCounts = std::array<std::uint64_t, std::variant_size_v<Shape>>;
+constexpr std::array<const char*, std::variant_size_v<Shape>> kKindNames{"box", "ellipsoid", "frustum", "torus", "half-space", "quadric", "capsule", "round box", "faceted ball",
+                                                                         "faceted frustum", "polyhedron", "extrusion", "revolution", "disc", "rectangle", "polygon"};
+
+void count_kinds(const Solid& solid, std::uint64_t pairs, KindCounts& counts) {
+    std::array<bool, std::variant_size_v<Shape>> seen{};
+    for (NodeId id = 0; id < solid.node_count(); ++id)
+        if (const auto* shape = std::get_if<Shape>(&solid.node(id))) seen[shape->index()] = true;
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += seen[k] ? pairs : 0;
+}
+
 // Compares on one random solid; returns what differs.
-std::vector<Disagreement> disagreements(Theme theme, std::uint64_t seed, int rays, Tally& tally) {
+std::vector<Disagreement> disagreements(Theme theme, std::uint64_t seed, int rays, Tally& tally, KindCounts& kinds) {
     std::mt19937_64 random(seed);
     const RandomSolid solid = random_solid(theme, seed);
     const bool snap = seed % 2 == 0;
@@ -48,6 +61,7 @@ std::vector<Disagreement> disagreements(Theme theme, std::uint64_t seed, int ray
         ++tally.not_compiled;
         return {};
     }
+    count_kinds(solid.solid, static_cast<std::uint64_t>(rays), kinds);
     Scratch scratch;
     for (int i = 0; i < rays; ++i) {
         const Ray ray = random_ray(solid, random);
@@ -66,10 +80,11 @@ TEST_CASE("the engine agrees with the exact reference") {
     const std::uint64_t seed = fresh_seed();
     WARN("WHITTLE_SEED=" << seed);
     std::mt19937_64 seeds(seed);
+    KindCounts kinds{};
     for (int theme = 0; theme < kThemes; ++theme) {
         Tally tally;
         for (int i = 0; i < 50; ++i)
-            for (const Disagreement& d : disagreements(static_cast<Theme>(theme), seeds(), 20, tally)) {
+            for (const Disagreement& d : disagreements(static_cast<Theme>(theme), seeds(), 20, tally, kinds)) {
                 INFO(d.text);
                 CHECK(false);
             }
@@ -89,10 +104,11 @@ TEST_CASE("the engine agrees with the exact reference for as long as asked", "[.
     WARN("WHITTLE_SEED=" << seed);
     std::mt19937_64 seeds(seed);
     std::vector<Tally> tallies(kThemes);
+    KindCounts kinds{};
     int failures = 0;
     while (std::chrono::steady_clock::now() < end && failures < 50)
         for (int theme = 0; theme < kThemes; ++theme)
-            for (const Disagreement& d : disagreements(static_cast<Theme>(theme), seeds(), 20, tallies[static_cast<std::size_t>(theme)])) {
+            for (const Disagreement& d : disagreements(static_cast<Theme>(theme), seeds(), 60, tallies[static_cast<std::size_t>(theme)], kinds)) {
                 ++failures;
                 WARN(d.text);
             }
@@ -101,5 +117,6 @@ TEST_CASE("the engine agrees with the exact reference for as long as asked", "[.
         WARN(name_of(static_cast<Theme>(theme)) << ": " << t.pairs << " pairs, " << t.borders << " borders, " << t.from_inside << " from inside, " << t.continued << " continued, worst error/bound "
                                                 << t.worst_ratio << ", not compiled " << t.not_compiled);
     }
+    for (std::size_t k = 0; k < kinds.size(); ++k) WARN(kKindNames[k] << ": " << kinds[k] << " pairs");
     CHECK(failures == 0);
 }

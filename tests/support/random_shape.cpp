@@ -2,6 +2,7 @@
 #include "tests/support/random_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whittle::support {
@@ -127,6 +128,13 @@ Sketch extrusion(SolidBuilder& builder, Dice& dice, bool planes) {
     return {shape::Extrusion{profile, 0, h, 0, scale, 0}, box_points({b.lo.x, b.lo.y, 0}, {b.hi.x, b.hi.y, h})};
 }
 
+Sketch twist(SolidBuilder& builder, Dice& dice) {
+    const NodeId profile = random_profile(builder, dice, true, false);
+    const double h = dice.length();
+    const Bounds b = builder.bounds(profile);
+    return {shape::Extrusion{profile, 0, h, dice.pick<double>({30, 90, -45}), {1, 1}, dice.integer(2, 4)}, box_points({b.lo.x, b.lo.y, 0}, {b.hi.x, b.hi.y, h})};
+}
+
 Sketch revolution(SolidBuilder& builder, Dice& dice) {
     const NodeId profile = random_profile(builder, dice, dice.one_in(2), !dice.one_in(4));
     const double start = dice.pick<double>({0, 0, 90, 30, -45}), angle = dice.one_in(2) ? 360 : dice.pick<double>({90, 180, 270, 45, 200});
@@ -168,6 +176,28 @@ NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right
     const int more = dice.one_in(2) ? 0 : dice.integer(1, 2);
     for (int i = 0; i < more; ++i) uses.push_back(one());
     return builder.combine(dice.pick({SetOp::kUnion, SetOp::kUnion, SetOp::kDifference, SetOp::kIntersection}), uses);
+}
+
+const char* name_of(ShapeKind kind) {
+    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "twist"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice) {
+    switch (kind) {
+        case ShapeKind::kBox: return box(dice);
+        case ShapeKind::kPolyhedron: return polyhedron(dice);
+        case ShapeKind::kEllipsoid: return ellipsoid(dice);
+        case ShapeKind::kFrustum: return frustum(dice);
+        case ShapeKind::kTorus: return torus(dice);
+        case ShapeKind::kCapsule: return capsule(dice);
+        case ShapeKind::kRoundBox: return round_box(dice);
+        case ShapeKind::kQuadric: return quadric(dice);
+        case ShapeKind::kHalfSpace: return half_space(dice);
+        case ShapeKind::kExtrusion: return extrusion(builder, dice, false);
+        case ShapeKind::kTwist: return twist(builder, dice);
+        default: return revolution(builder, dice);
+    }
 }
 
 Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire) {

@@ -26,7 +26,7 @@ class Maker {
 public:
     Maker(Theme theme, std::uint64_t seed, const SolidPasses& passes) : theme_(theme), dice_(seed), builder_(passes) {}
 
-    RandomSolid make() {
+    RandomSolid make(const Placement& outer) {
         dice_.pool(theme_ == Theme::kStack || dice_.one_in(2));
         Known whole = recipe();
         if (!whole.bounded) whole = combined(SetOp::kIntersection, {{bounding_box(), {}}, {whole, {}}});
@@ -37,6 +37,7 @@ public:
         for (const Vec3& p : whole.points) r.points.push_back(apply_to_point(root.placement, p));
         for (const Vec3& d : whole.directions) r.directions.push_back(apply_to_direction(root.placement, d));
         r.size = theme_ == Theme::kFar ? scale_ * 4 : 4;
+        root.placement = outer * root.placement;
         r.solid = builder_.finish(root);
         return r;
     }
@@ -244,7 +245,7 @@ const char* name_of(Theme theme) {
     return names[static_cast<int>(theme)];
 }
 
-RandomSolid random_solid(Theme theme, std::uint64_t seed, const SolidPasses& passes) { return Maker(theme, seed, passes).make(); }
+RandomSolid random_solid(Theme theme, std::uint64_t seed, const SolidPasses& passes, const Placement& outer) { return Maker(theme, seed, passes).make(outer); }
 
 Ray random_ray(const RandomSolid& solid, std::mt19937_64& random) {
     Dice dice(random());

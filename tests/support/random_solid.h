@@ -36,8 +36,8 @@ struct RandomSolid {
     double size = 1;               // of the whole, roughly
 };
 
-// The same seed and theme give the same recipe, whatever the passes.
-RandomSolid random_solid(Theme theme, std::uint64_t seed, const SolidPasses& passes = {});
+// The same seed and theme give the same recipe, whatever the passes. `outer` is placed above it; points and directions are those without it.
+RandomSolid random_solid(Theme theme, std::uint64_t seed, const SolidPasses& passes = {}, const Placement& outer = {});
 
 // A ray at the solid: random, through its points, along its directions, from its points.
 Ray random_ray(const RandomSolid& solid, std::mt19937_64& random);
