@@ -21,6 +21,8 @@ ReadScene read_scene(const std::string& path, const std::vector<std::string>& de
     REQUIRE(evaluated);
     ReadScene r;
     r.stopped = evaluated->stopped();
+    r.lights = evaluated->scene.lights;
+    r.camera = evaluated->scene.camera;
     CanonicaliseOptions options;
     options.curves = curves;
     r.canonical = canonicalise(evaluated->scene, options, &files, evaluated->diagnostics);

@@ -1,6 +1,7 @@
 // scenes.h — a scene file as tests need it: text, solid, messages.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace whittle::test {
 struct ReadScene {
     std::vector<std::string> messages;  // warnings and errors as the program prints them
     Canonical canonical;
+    std::vector<Light> lights;
+    std::optional<Camera> camera;
     bool stopped = false;
 };
 
