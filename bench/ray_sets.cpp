@@ -10,7 +10,7 @@ namespace whittle::bench {
 
 std::vector<Ray> camera_rays(const BenchScene& scene, int width, int height) {
     const Vec3 forward = -glm::normalize(scene.from), right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))), up = glm::cross(right, forward);
-    const Vec3 eye = -forward * (scene.radius / sind(20));
+    const Vec3 eye = scene.centre - forward * (scene.radius / sind(20));
     const double half = sind(10.5) / cosd(10.5);
     std::vector<Ray> rays;
     rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -39,7 +39,7 @@ std::vector<Ray> incoherent_rays(const BenchScene& scene, int count) {
         Vec3 to;
         for (int i = 0; i < 3; ++i) to[i] = between(scene.box.lo[i], scene.box.hi[i]);
         Ray ray;
-        ray.origin = v * (scene.radius / l);
+        ray.origin = scene.centre + v * (scene.radius / l);
         ray.direction = glm::normalize(to - ray.origin);
         rays.push_back(ray);
     }
