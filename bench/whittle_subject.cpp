@@ -17,6 +17,7 @@ struct Engine {
     Spans spans;
     std::vector<Hit> hits;
     std::unique_ptr<bool[]> found;
+    std::vector<double> far;
 };
 
 void store(const Hit& hit, bool found, Answer& a) { a = found ? Answer{hit.end.t, hit.end.normal, hit.end.surface} : Answer{}; }
@@ -38,6 +39,14 @@ void any(Engine& e, const Ray* rays, int count, Answer* answers) {
     for (int i = 0; i < count; ++i) {
         answers[i] = Answer();
         if (any_hit(*e.program, rays[i], HUGE_VAL, e.scratch)) answers[i].t = 0;
+    }
+}
+
+void any_packets(Engine& e, const Ray* rays, int count, Answer* answers) {
+    any_hits(*e.program, rays, e.far.data(), count, e.scratch, e.found.get());
+    for (int i = 0; i < count; ++i) {
+        answers[i] = Answer();
+        if (e.found[static_cast<std::size_t>(i)]) answers[i].t = 0;
     }
 }
 
@@ -75,11 +84,13 @@ Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query que
         engine->program = *program;
         engine->hits.resize(kBatch);
         engine->found = std::make_unique<bool[]>(kBatch);
+        engine->far.assign(kBatch, HUGE_VAL);
         subjects.push_back({name, [engine, answer](const Ray* rays, int count, Answer* answers) { answer(*engine, rays, count, answers); },
                             [engine] { return work_done(*engine); }});
     };
     if (query == Query::kFirst) add("whittle packets", first_packets);
     if (query == Query::kFirst) add("whittle ray", first);
+    if (query == Query::kAny) add("whittle packets", any_packets);
     if (query == Query::kAny) add("whittle ray", any);
     if (query == Query::kSpans) add("whittle ray", spans);
     return subjects;

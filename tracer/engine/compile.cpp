@@ -120,6 +120,17 @@ private:
         return box.empty() ? box : Bounds{box.lo - room, box.hi + room};
     }
 
+    // What a leaf is outside its group's box makes no difference.
+    void bound_leaf(Ref ref, const Bounds& box) {
+        if (!ref.is_leaf()) return;
+        FloatBox& own = program_.leaf_boxes[ref.index()];
+        const FloatBox group = outward(box);
+        for (std::size_t i = 0; i < 3; ++i) {
+            own.lo[i] = std::max(own.lo[i], group.lo[i]);
+            own.hi[i] = std::min(own.hi[i], group.hi[i]);
+        }
+    }
+
     Ref add_group(const FormulaNode& n) {
         Group g;
         g.is_and = n.kind == FormulaKind::kAnd;
@@ -153,6 +164,9 @@ private:
                 program_.nodes.push_back(node);
             }
         }
+        if (g.bounded && g.outside_value != g.is_and)
+            for (const auto* refs : {&plain, &items})
+                for (const Ref ref : *refs) bound_leaf(ref, g.box);
         program_.groups.push_back(g);
         return Ref::group(static_cast<std::uint32_t>(program_.groups.size() - 1));
     }

@@ -77,6 +77,7 @@ struct MeshLeaf {
 struct ClassLabel {
     enum class Kind : std::uint8_t { kUse, kHeld, kDepends };
     Kind kind = Kind::kDepends;
+    bool of_facets = false;  // some mesh, or prism that is not convex, has it
     std::uint32_t use = 0;
 };
 
@@ -113,6 +114,7 @@ public:
     std::vector<MeshLeaf> meshes;
     std::vector<LeafUse> uses;
     std::vector<std::uint32_t> matter_order;  // by use: of two that hold a place the one of lower order fills it (priority, then the author's order)
+    bool matter_by_author = true;             // no use comes before an earlier one
     bool one_matter = true;                   // all uses that are not subtracted are of one material
     Ref root;
     bool empty = true;       // nothing inside anywhere

@@ -316,7 +316,7 @@ bool holds(const Program& program, Ref ref) {
 void describe_for_packets(Program& program) {
     struct Users {
         std::uint32_t leaf = 0, count = 0;
-        bool silent_cutters = true;
+        bool silent_cutters = true, of_facets = false;
     };
     std::vector<Users> users(program.classes.size());
     const auto meet = [&](ClassId id, std::uint32_t leaf, bool countable) {
@@ -326,6 +326,7 @@ void describe_for_packets(Program& program) {
         if (u.count == 0 || u.leaf != leaf) ++u.count;
         u.leaf = leaf;
         u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material.names_surface();
+        u.of_facets = u.of_facets || !countable;
         if (!countable) u.count += 2;
     };
     for (std::uint32_t i = 0; i < program.leaves.size(); ++i) {
@@ -338,14 +339,15 @@ void describe_for_packets(Program& program) {
             for (const ClassId id : program.meshes[leaf.first].facets) meet(id, i, false);
     }
     // Packets look for the least use; priorities are a single ray's work.
-    const bool ordinals = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
+    program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
     for (const Users& u : users) {
         ClassLabel label;
         if (u.count > 0 && u.silent_cutters) {
-            if (ordinals) label.kind = ClassLabel::Kind::kHeld;
+            if (program.matter_by_author) label.kind = ClassLabel::Kind::kHeld;
         } else if (u.count == 1) {
-            label = {ClassLabel::Kind::kUse, program.leaves[u.leaf].use};
+            label = {ClassLabel::Kind::kUse, false, program.leaves[u.leaf].use};
         }
+        label.of_facets = u.of_facets;
         program.class_labels.push_back(label);
     }
     for (const Ref ref : program.refs) {

@@ -14,6 +14,7 @@ constexpr double kRoom = 1 + 0x1p-40;  // over the roundings of the bounds thems
 // million, for bounds that are a few hundred times those of the steep ones and still far below any distance between surfaces.
 constexpr double kLeastCosine = 0x1p-8;
 constexpr double kLeastSlope = 0x1p-9;
+constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
 constexpr double kSnapDoubt = 0x1p-39;      // far over the snap, relative
 constexpr std::size_t kMostEdges = 512;    // of a prism that packets meet
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
@@ -221,7 +222,8 @@ private:
         es = (es + 8 * u * slope) * kRoom;
         v.lo -= ev, v.hi += ev, s.lo -= es, s.hi += es;
         t.kind = TileSurface::Kind::kPlane;
-        t.least_slope = std::max(smallest(s.lo, s.hi), kLeastSlope * largest(s.lo, s.hi));
+        const double off = 1.5 * (ev + scope_.horizon * es);
+        t.least_slope = std::max({smallest(s.lo, s.hi), kLeastSlope * largest(s.lo, s.hi), off / (kMostError * scope_.horizon)});
         if (!(t.least_slope > 4 * es)) return false;
         Range range;
         if (smallest(s.lo, s.hi) >= t.least_slope) {
@@ -230,7 +232,7 @@ private:
             range.t = quotient({-v.hi, -v.lo}, s);
         }
         // (ev + |t| es) / (|s| - es), as a ray's own bound.
-        take(t, range, 1.5 * (ev + scope_.horizon * es) / t.least_slope + 4 * u * scope_.horizon);
+        take(t, range, off / t.least_slope + 4 * u * scope_.horizon);
         return true;
     }
 
@@ -241,6 +243,7 @@ private:
         const std::size_t i = (t.axis + 1u) % 3, j = (t.axis + 2u) % 3;
         t.still = !ball && largest(line.d_lo[i], line.d_hi[i]) == 0 && largest(line.d_lo[j], line.d_hi[j]) == 0;
         if (!(t.round.missed < HUGE_VAL)) return false;
+        if (!(t.round.error <= kMostError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
         take(t, {}, t.still ? 0 : t.round.error + 2 * u * scope_.horizon);
         return true;
     }
