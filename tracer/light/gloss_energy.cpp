@@ -11,7 +11,7 @@ namespace {
 
 // Visible normals a direction: rings of the disc by directions on it. The tail of the lobe lies in a rim of width alpha^2, so rings are set by the fourth
 // root of what lies outside of them. Albedos come out to 3e-4 for roughness 0.2 to 1 (docs/light.md).
-constexpr int kRings = 32, kSpokes = 32;
+constexpr int kRings = 96, kSpokes = 32;
 
 struct Albedos {
     double mirror = 0, coat = 0;
