@@ -168,7 +168,7 @@ Ray random_ray(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("a motion that doubles hold changes no event") {
+TEST_CASE("a motion that doubles hold changes no event", "[.open]") {
     const std::uint64_t seed = fresh_seed();
     INFO("WHITTLE_SEED=" << seed);
     std::mt19937_64 random(seed);
@@ -204,7 +204,7 @@ TEST_CASE("a motion that doubles hold changes no event") {
     CHECK(masked * 10 < rays);
 }
 
-TEST_CASE("scaling by a power of two changes no bit") {
+TEST_CASE("scaling by a power of two changes no bit", "[.open]") {
     const std::uint64_t seed = fresh_seed();
     INFO("WHITTLE_SEED=" << seed);
     std::mt19937_64 random(seed);
@@ -240,7 +240,7 @@ TEST_CASE("scaling by a power of two changes no bit") {
     CHECK(met > 500);
 }
 
-TEST_CASE("a scene moved by its text has the same events but for rays that rounding decides", "[.motions]") {
+TEST_CASE("a scene moved by its text has the same events but for rays that rounding decides") {
     const std::uint64_t seed = fresh_seed(), asked = rays_asked();
     INFO("WHITTLE_SEED=" << seed);
     std::mt19937_64 random(seed);
