@@ -4,6 +4,7 @@
 //     whittle-bench rays [--scenes S1,S2] [--files part.scad] [--faceted] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
+//     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samples 64] [--csv FILE] [--svg FILE]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
@@ -14,10 +15,12 @@
 #include <fmt/format.h>
 
 #include "bench/evaluation.h"
+#include "bench/light.h"
 #include "bench/program.h"
 #include "bench/race.h"
 #include "bench/ray_sets.h"
 #include "bench/stability.h"
+#include "tracer/light/render.h"
 
 using namespace whittle;
 using namespace whittle::bench;
@@ -119,9 +122,21 @@ int main(int argc, char** argv) {
     program->add_option("--program", whole.program, "path of whittle");
     program->add_option("--examples", whole.examples, "folder of the examples");
     program->add_option("--rounds", whole.rounds, "runs of each")->check(CLI::Range(1, 1000));
+    LightOptions light;
+    CLI::App* pictures = app.add_subcommand("light", "pictures: time against error");
+    pictures->add_option("--folder", light.folder, "of the scenes")->check(CLI::ExistingDirectory);
+    pictures->add_option("--scenes", light.scenes, "files of that folder, without .scad")->delimiter(',');
+    pictures->add_option("--integrators", light.integrators, "whitted, distributed, path ...")->delimiter(',')->check([](const std::string& name) {
+        return integrator_named(name) ? std::string() : "no integrator is called " + name;
+    });
+    pictures->add_option("--samples", light.most_samples, "1, 4, 16 ... up to this")->check(CLI::Range(1, 1 << 20));
+    pictures->add_option("--reference", light.reference_samples, "samples of the references")->check(CLI::Range(1, 1 << 24));
+    pictures->add_option("--csv", light.csv, "also write the rows here");
+    pictures->add_option("--svg", light.svg, "draw time against error here");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     if (program->parsed()) return time_program(whole);
+    if (pictures->parsed()) return time_light(light);
     if (scripts->parsed()) return time_evaluation(evaluation);
     return stable->parsed() ? measure_stability(stability) : time_rays(choice);
 }

@@ -1,0 +1,28 @@
+// light_plot.h — time against error as a drawing: a panel a scene, a line an integrator, both axes logarithmic.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace whittle::bench {
+
+struct LightPoint {
+    int samples = 0;
+    double seconds = 0, error = 0;
+};
+
+struct LightLine {
+    std::string name;
+    std::vector<LightPoint> points;
+    double bias = 0;  // distance of its converged picture from the path tracer's
+};
+
+struct LightPanel {
+    std::string scene;
+    std::vector<LightLine> lines;
+};
+
+// An SVG.
+std::string light_plot(const std::vector<LightPanel>& panels);
+
+}  // namespace whittle::bench
