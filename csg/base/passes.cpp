@@ -11,6 +11,7 @@ constexpr PassInfo kPasses[] = {
     {"disjoint", "no cutters that miss, no intersections of what lies apart"},
     {"buried", "no parts inside a box"},
     // tracer/light
+    {"packets", "the camera and shadow rays of a tile met together"},
     {"media", "no division by matter where nothing is clear"},
 };
 

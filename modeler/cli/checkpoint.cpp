@@ -24,6 +24,8 @@ std::string words_of(const Request& request) {
     std::string words = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {:a} {} ", o.width, o.height, o.samples, o.light_samples, o.max_depth, static_cast<int>(o.integrator),
                                     static_cast<int>(o.look), o.edges, static_cast<int>(o.filter), o.aovs, o.seed, o.noise, fmt::join(o.disabled_passes, ","));
     words += fmt::format("{} {} {} {} {}/{} ", region.x, region.y, region.width, region.height, o.shard.index, o.shard.count);
+    if (o.scheme)
+        for (const Vec3 color : {o.scheme->background, o.scheme->face}) words += fmt::format("{} {} {} ", color.x, color.y, color.z);
     for (const double n : render.camera.numbers) words += fmt::format("{:a} ", n);
     words += fmt::format("{} {} {} ", render.camera.viewall, render.camera.autocenter, render.camera.orthographic.value_or(false));
     for (const auto& clip : render.clips)
@@ -32,13 +34,24 @@ std::string words_of(const Request& request) {
     return words + fmt::format("{}", fmt::join(common.definitions, "\n"));
 }
 
+// Files the picture comes from beside the texts: imports, the parameters, pictures of surroundings.
+std::vector<std::string> files_of(const Session& session, const ReadScene& scene) {
+    std::vector<std::string> files = scene.evaluated.files_read;
+    if (!session.request.common.parameter_file.empty()) files.push_back(session.request.common.parameter_file);
+    const SourceTable& sources = scene.evaluated.sources;
+    for (const Light& light : scene.evaluated.scene.lights) {
+        const auto* around = std::get_if<EnvironmentLight>(&light.what);
+        if (!around || around->file.empty() || light.place.file >= sources.files.size()) continue;
+        files.push_back((std::filesystem::path(sources.files[light.place.file].path).parent_path() / around->file).string());
+    }
+    return files;
+}
+
 std::uint64_t fingerprint_of_run(const Session& session, const ReadScene& scene) {
     std::uint64_t print = fingerprint_of(WHITTLE_VERSION);
     print = fingerprint_of(words_of(session.request), print);
     for (const SourceFile& file : scene.evaluated.sources.files) print = fingerprint_of(file.text, print);
-    std::vector<std::string> files = scene.evaluated.files_read;
-    if (!session.request.common.parameter_file.empty()) files.push_back(session.request.common.parameter_file);
-    for (const std::string& name : files) {
+    for (const std::string& name : files_of(session, scene)) {
         // One that cannot be read any more makes another number, and so a refusal.
         const auto bytes = name == "-" ? Result<std::string>() : read_whole_file(name);
         print = fingerprint_of(bytes ? *bytes : name, print);

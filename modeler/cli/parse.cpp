@@ -196,7 +196,7 @@ void Declaration::declare_openscad() {
     });
     flag("--render", "A picture sees $preview = false", request_.full_render, kGroup);
     flag("--preview", "A picture sees $preview = true (the default)", request_.full_render, kGroup, false);
-    for (const char* name : {"-m", "--view", "--colorscheme", "--csglimit", "--animate", "--check-parameter-ranges", "--summary", "--summary-file",
+    for (const char* name : {"-m", "--view", "--csglimit", "--animate", "--check-parameter-ranges", "--summary", "--summary-file",
                              "--backend", "--enable", "-O", "--debug"})
         not_yet(name, true, kGroup);
     not_yet("--info", false, kGroup);
@@ -230,6 +230,8 @@ void Declaration::declare_render() {
         render.options.filter = kind.value_or(FilterKind::kGaussian);
         return kind.has_value();
     });
+    value("--colorscheme", "the name of one of OpenSCAD's schemes", "Background and unnamed faces of --integrator preview: Cornfield, Metallic, Sunset, ...", kGroup,
+          [&render](const std::string& t) { return (render.options.scheme = color_scheme_named(t)).has_value(); });
     declare_picture();
 }
 
@@ -356,6 +358,8 @@ Result<void> validate(const VerbInfo* verb, Request& request) {
     if (request.spans.rays_file == "-" && request.inputs[0] == "-") return fail(Fault::kCommand, "the scene and the rays cannot both be standard input");
     if (request.render.resume && request.render.watch) return fail(Fault::kCommand, "--resume and --watch exclude each other: a watched picture has no checkpoint");
     if (request.render.resume && !request.outputs.empty() && request.outputs[0] == "-") return fail(Fault::kCommand, "--resume wants a picture with a name: its checkpoint stands beside it");
+    if (request.render.options.scheme && request.render.options.integrator != Integrator::kPreview)
+        return fail(Fault::kCommand, "--colorscheme goes with --integrator preview");
     const auto& region = request.render.options.region;
     if (region && (region->x + region->width > request.render.options.width || region->y + region->height > request.render.options.height))
         return fail(Fault::kCommand, "--tile reaches outside the picture");
@@ -398,6 +402,9 @@ Result<std::variant<Request, Say>> parse_command_line(std::vector<std::string> a
     const auto rest = declaration.app().remaining();
     if (!rest.empty()) return unexpected_word(rest, declaration.app());
     if (!declaration.refused().empty()) return fail(Fault::kCommand, declaration.refused() + " is not supported yet");
+    // Who asks for OpenSCAD's colours and nothing else wants the look of its preview.
+    RenderOptions& options = request.render.options;
+    if (options.scheme && options.integrator == Integrator::kAuto) options.integrator = Integrator::kPreview;
     if (auto valid = validate(verb, request); !valid) return tl::unexpected<Error>(valid.error());
     if (!verb && request.outputs.empty()) request.verb = Verb::kRender;
     spread_common(request);

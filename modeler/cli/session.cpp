@@ -129,10 +129,14 @@ Result<ReadScene> read_scene(Session& session, Preview preview) {
     return scene;
 }
 
-Result<void> check_solid(const Canonical& canonical) {
-    if (canonical.is_2d) return fail(Fault::kScene, "Current top level object is not a 3D object.");
+Result<void> check_something(const Canonical& canonical) {
     if (canonical.solid.root().node == kEmptyNode) return fail(Fault::kScene, "Current top level object is empty.");
     return {};
+}
+
+Result<void> check_solid(const Canonical& canonical) {
+    if (canonical.is_2d) return fail(Fault::kScene, "Current top level object is not a 3D object.");
+    return check_something(canonical);
 }
 
 Result<ReadScene> read_whole_solid(Session& session) {

@@ -47,7 +47,10 @@ Result<Evaluated> read_text_of_scene(Session& session, Preview preview);
 // Reads the scene of the request, --clip applied. An error means that nothing can be made; its message is empty where all was told.
 Result<ReadScene> read_scene(Session& session, Preview preview = {});
 
-// kScene with OpenSCAD's words where the scene is flat or empty: nothing to draw or to mesh.
+// kScene with OpenSCAD's words where the scene is empty: nothing to draw.
+Result<void> check_something(const Canonical& canonical);
+
+// kScene with OpenSCAD's words where the scene is flat or empty: nothing to mesh.
 Result<void> check_solid(const Canonical& canonical);
 
 // For verbs whose answer must be whole (mesh, check, measure): refuses what dropped geometry (unless --allow-missing), is empty or is 2D.

@@ -1,11 +1,14 @@
 // verb_render.cpp — whittle render: scene → film → picture files; --watch draws again on every change.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
 #include <fmt/core.h>
 
+#include "csg/solid/look_alike.h"
+#include "csg/solid/sheet.h"
 #include "modeler/cli/answers.h"
 #include "modeler/cli/checkpoint.h"
 #include "modeler/cli/job_render.h"
@@ -125,16 +128,44 @@ void answer(Session& session, const std::vector<Output>& outputs, const RenderRe
     }
 }
 
-Exit render_once(Session& session, const std::vector<Output>& outputs, Preview preview, std::vector<std::string>& files_read) {
-    const auto scene = read_scene(session, preview);
+// A 2D scene is shown as a sheet around z = 0, a thousandth of its size thick.
+void raise_flat(Canonical& canonical) {
+    if (!canonical.is_2d) return;
+    const Bounds box = canonical.solid.root_bounds();
+    const double size = box.empty() ? 1 : std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    const double half = size > 0 && std::isfinite(size) ? size / 2000 : 1;
+    canonical.solid = as_sheet(canonical.solid, -half, half);
+}
+
+// What a watched scene was when it was drawn last.
+struct Before {
+    std::vector<std::string> files_read;
+    Solid solid;
+    std::shared_ptr<const Program> program;
+};
+
+// The program of `solid`: the one of before where only the camera, the lights or the text around have changed.
+Result<std::shared_ptr<const Program>> program_of(Session& session, const Solid& solid, Before& before) {
+    if (before.program && look_alike(before.solid, solid)) {
+        session.console.line("The solid is what it was: nothing is built anew");
+        return before.program;
+    }
+    auto program = compile_scene(session, solid);
+    if (program && session.request.render.watch) before.solid = solid, before.program = *program;
+    return program;
+}
+
+Exit render_once(Session& session, const std::vector<Output>& outputs, Preview preview, Before& before) {
+    auto scene = read_scene(session, preview);
     if (!scene) return give_up(session, scene.error());
-    files_read = scene->evaluated.files_read;
-    if (auto solid = check_solid(scene->canonical); !solid) return give_up(session, solid.error());
+    before.files_read = scene->evaluated.files_read;
+    if (auto something = check_something(scene->canonical); !something) return give_up(session, something.error());
+    raise_flat(scene->canonical);
     ImageFiles files;
     // A PNG needs no image library.
     for (const auto& output : outputs)
         if (output.format != ImageFormat::kPng) files.start_loading();
-    const auto program = compile_scene(session, scene->canonical.solid);
+    const auto program = program_of(session, scene->canonical.solid, before);
     if (!program) return give_up(session, program.error());
     const Checkpoint checkpoint(session, *scene, outputs.front().path);
     const bool kept = !session.request.render.watch;
@@ -165,11 +196,13 @@ std::vector<std::filesystem::file_time_type> times_of(const std::vector<std::str
 
 // Ends by Ctrl-C only.
 Exit watch(Session& session, const std::vector<Output>& outputs, Preview preview) {
-    std::vector<std::string> files{session.request.inputs.front()};
+    Before before;
+    before.files_read = {session.request.inputs.front()};
+    const std::vector<std::string>& files = before.files_read;
     while (true) {
         const auto begin = times_of(files);
         const auto known = files;
-        if (render_once(session, outputs, preview, files) == Exit::kInterrupted) return Exit::kInterrupted;
+        if (render_once(session, outputs, preview, before) == Exit::kInterrupted) return Exit::kInterrupted;
         auto seen = files == known ? begin : times_of(files);
         while (times_of(files) == seen) std::this_thread::sleep_for(kLookEvery);
     }
@@ -181,8 +214,8 @@ Exit render_outputs(Session& session, const std::vector<std::string>& paths, Pre
     const auto outputs = outputs_of(paths, session.request.export_format);
     if (!outputs) return give_up(session, outputs.error());
     if (session.request.render.watch) return watch(session, *outputs, preview);
-    std::vector<std::string> files_read;
-    return render_once(session, *outputs, preview, files_read);
+    Before nothing;
+    return render_once(session, *outputs, preview, nothing);
 }
 
 Exit run_render(Session& session) {

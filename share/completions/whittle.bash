@@ -7,6 +7,7 @@ _whittle() {
         --curves) COMPREPLY=($(compgen -W "auto exact faceted" -- "$current")); return ;;
         --projection) COMPREPLY=($(compgen -W "p o" -- "$current")); return ;;
         --filter) COMPREPLY=($(compgen -W "box gaussian mitchell" -- "$current")); return ;;
+        --colorscheme) COMPREPLY=($(compgen -W "Cornfield Metallic Sunset Starnight BeforeDawn Nature DeepOcean Solarized Tomorrow Monotone" -- "$current")); return ;;
         --tonemap) COMPREPLY=($(compgen -W "srgb filmic linear" -- "$current")); return ;;
         --exr) COMPREPLY=($(compgen -W "half float" -- "$current")); return ;;
         --integrator) COMPREPLY=($(compgen -W "auto preview whitted distributed path caustics cone" -- "$current")); return ;;
@@ -20,7 +21,7 @@ _whittle() {
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
                 --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
-                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --filter --resume -o" ;;
+                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --binary
@@ -42,7 +43,7 @@ _whittle() {
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
                 --render --preview --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
-                --watch --tile --shard --filter --resume --tolerance --angle --binary --ascii --report -o" ;;
+                --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --binary --ascii --report -o" ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$current"))

@@ -42,13 +42,21 @@ LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& s
     return sample_light(lamp, point, u);
 }
 
+bool DirectLight::blocked(const Ray& ray, const Leaving& leaving, double distance) const {
+    for (std::size_t i = 0; i < ahead_.count; ++i) {
+        const ShadowAnswer& a = ahead_.first[i];
+        if (a.direction == ray.direction && a.origin == ray.origin && a.distance == distance && a.time == ray.time) return a.blocked;
+    }
+    return stage_.world.blocked(ray, &leaving, distance, scratch_);
+}
+
 Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const {
     Ray ray;
     ray.origin = border.point;
     ray.direction = direction;
     ray.time = time;
     ++counters_.shadow;
-    if (!stage_.needs.see_through) return stage_.world.blocked(ray, &border.leaving, distance, scratch_) ? Vec3(0) : Vec3(1);
+    if (!stage_.needs.see_through) return blocked(ray, border.leaving, distance) ? Vec3(0) : Vec3(1);
     Vec3 share(1);
     Leaving leaving = border.leaving;
     const Surface* within = border.before;

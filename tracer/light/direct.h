@@ -23,6 +23,17 @@ inline double largest(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
 // How clear matter lets shadow rays pass: unbent (a picture without caustics), or not at all (who follows light through it himself).
 enum class ClearShadows { kLetThrough, kBlock };
 
+// Shadow rays that were asked before they are wanted (shadows_ahead.h). Of opaque scenes only.
+struct ShadowAnswer {
+    Vec3 origin, direction;
+    double distance, time;
+    bool blocked;
+};
+struct AnswersAhead {
+    const ShadowAnswer* first = nullptr;
+    std::size_t count = 0;
+};
+
 class DirectLight {
 public:
     DirectLight(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), scratch_(scratch), counters_(counters) {}
@@ -35,13 +46,18 @@ public:
     Vec3 transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const;
     // The same from all of a lamp, whose middle is `sample`: an edge that crosses the cone to it hides one part.
     Vec3 cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample) const;
+    // Answers to take where the same is asked, until others are given.
+    void know(AnswersAhead ahead) { ahead_ = ahead; }
     // Is a lamp nearer than t_max on the ray?
     bool lamp_seen(const Ray& ray, double t_max, LightMet& met) const;
 
 private:
+    bool blocked(const Ray& ray, const Leaving& leaving, double distance) const;
+
     const Stage& stage_;
     Scratch& scratch_;
     RenderCounters& counters_;
+    AnswersAhead ahead_;
 };
 
 }  // namespace whittle

@@ -30,8 +30,12 @@ CameraSample camera_sample(const Stage& stage, int x, int y, int index, double p
 
 Integration::Integration(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), counters_(counters), walker_(walker_of(stage, scratch, counters)) {}
 
-CameraLight Integration::radiance(const CameraSample& sample, const Sampler& sampler, const FirstBorder* first) {
-    CameraLight light = std::visit([&](auto& walker) { return walker.camera_light(sample.ray, sample.height, sampler, first); }, walker_);
+CameraLight Integration::radiance(const CameraSample& sample, const Sampler& sampler, const FirstBorder* first, AnswersAhead ahead) {
+    const auto shine = [&](auto& walker) {
+        walker.know(ahead);
+        return walker.camera_light(sample.ray, sample.height, sampler, first);
+    };
+    CameraLight light = std::visit(shine, walker_);
     if (!std::isfinite(light.radiance.x + light.radiance.y + light.radiance.z)) ++counters_.no_numbers;
     if (!stage_.light_passes) return light;
     const LightPass* pass = std::get<PathTracer>(walker_).pass();

@@ -28,7 +28,8 @@ public:
     Integration(const Stage& stage, Scratch& scratch, RenderCounters& counters);
 
     // Light against the sample's ray. `first` is what World::next() would answer for the ray; null: it is asked here.
-    CameraLight radiance(const CameraSample& sample, const Sampler& sampler, const FirstBorder* first = nullptr);
+    // `ahead`: shadows at that border that are known.
+    CameraLight radiance(const CameraSample& sample, const Sampler& sampler, const FirstBorder* first = nullptr, AnswersAhead ahead = {});
 
 private:
     const Stage& stage_;

@@ -21,6 +21,9 @@ public:
     // Of the latest sample; null: none.
     const LightPass* pass() const { return pass_.get(); }
 
+    // Shadows of the next camera ray that are known.
+    void know(AnswersAhead ahead) { direct_.know(ahead); }
+
 private:
     // The walk so far.
     struct Walk {

@@ -21,6 +21,7 @@
 #include "tracer/image/filter.h"
 #include "tracer/image/image_file.h"
 #include "tracer/light/camera.h"
+#include "tracer/light/color_scheme.h"
 
 namespace whittle {
 
@@ -44,6 +45,7 @@ struct RenderOptions {
     int max_depth = 16;     // mirrors and refractions one after the other
     Integrator integrator = Integrator::kAuto;
     Look look = Look::kShaded;
+    std::optional<ColorScheme> scheme;   // of the preview: background, faces without a colour; other integrators have their studio
     bool edges = false;                  // dark lines at silhouettes and where faces meet at an angle
     FilterKind filter = FilterKind::kGaussian;
     AovSet aovs = 0;

@@ -187,6 +187,8 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     drop_environment_lamps(*stage);
     if (stage->needs.spectrum && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();
     add_light_passes(bounds, studio, *stage);
+    if (stage->shows_scheme()) stage->world.recolor(*options.scheme);
+    stage->packets = !listed(options.disabled_passes, "packets");
     stage->filter = FilterSampler(options.filter);
     stage->thickness_scale = half_diagonal(bounds) / 4;
     stage->program = std::move(program);

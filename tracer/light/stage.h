@@ -42,6 +42,7 @@ public:
     Lens lens;
     FilterSampler filter{FilterKind::kGaussian};
     StageNeeds needs;
+    bool packets = true;  // --disable packets: every ray alone
     std::unique_ptr<const Spectrum> spectrum;          // null: nothing disperses, or the integrator follows no wavelengths
     Emission emission;                                 // of light passes
     std::shared_ptr<const LightPasses> light_passes;   // null: caustics are not asked for, or nothing makes them
@@ -50,6 +51,8 @@ public:
     // Does the integrator draw from areas: lamps, lobes, lens, shutter?
     bool distributes() const { return integrator >= Integrator::kDistributed && integrator != Integrator::kCone; }
     std::string reason;          // why auto chose this integrator, in words that follow its name
+    // Is it OpenSCAD's preview in one of its colour schemes?
+    bool shows_scheme() const { return options.scheme && integrator == Integrator::kPreview; }
 };
 
 }  // namespace whittle

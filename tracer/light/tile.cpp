@@ -4,6 +4,7 @@
 // pixel takes its samples by their numbers all the same, so the bits are those of one pixel after the other.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -13,6 +14,7 @@
 #include "tracer/light/edges.h"
 #include "tracer/light/integrator.h"
 #include "tracer/light/planes.h"
+#include "tracer/light/shadows_ahead.h"
 
 namespace whittle {
 
@@ -55,12 +57,15 @@ std::vector<PixelPlace> pixels_by_blocks(TileRegion tile) {
 class TileWork {
 public:
     TileWork(const Stage& stage, Scratch& scratch, RenderCounters& counters)
-        : stage_(stage), scratch_(scratch), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr) {}
+        : stage_(stage), scratch_(scratch), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
+          shadows_(stage, scratch, counters) {
+        if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
+    }
 
     // Sample `index` of at most kMostRays pixels.
     void draw(std::span<const PixelPlace> pixels, int index, Film& film) {
         aim(pixels, index);
-        if (stage_.options.look == Look::kShaded) stage_.world.meet(rays_.data(), static_cast<int>(pixels.size()), scratch_, met_);
+        if (stage_.options.look == Look::kShaded) meet(static_cast<int>(pixels.size()));
         if (edges_) edges_->find(places_.data(), static_cast<int>(pixels.size()), edge_.data());
         for (std::size_t k = 0; k < pixels.size(); ++k) {
             CameraLight light = stage_.options.look == Look::kXray ? xray_light(rays_[k]) : light_of(k);
@@ -86,10 +91,22 @@ private:
         }
     }
 
+    void meet(int count) {
+        if (stage_.packets) stage_.world.meet(rays_.data(), count, scratch_, met_);
+        for (int k = 0; k < count; ++k) {
+            FirstBorder& first = firsts_[static_cast<std::size_t>(k)];
+            const Ray& ray = rays_[static_cast<std::size_t>(k)];
+            first.met = stage_.packets ? stage_.world.first(ray, met_, k, scratch_, first.border)
+                                       : stage_.world.next(ray, nullptr, std::numeric_limits<double>::infinity(), scratch_, first.border);
+        }
+        shadows_.ask(firsts_.data(), samples_.data(), count);
+    }
+
     CameraLight light_of(std::size_t k) {
-        FirstBorder first;
-        first.met = stage_.world.first(rays_[k], met_, static_cast<int>(k), scratch_, first.border);
-        return integration_.radiance(samples_[k], sampler_of(samples_[k]), &first);
+        const FirstBorder& first = firsts_[k];
+        CameraLight light = integration_.radiance(samples_[k], sampler_of(samples_[k]), &first, shadows_.of(static_cast<int>(k)));
+        if (stage_.shows_scheme() && light.coverage == 0) light.radiance = background_;
+        return light;
     }
 
     CameraLight xray_light(const Ray& ray) {
@@ -102,8 +119,11 @@ private:
     Scratch& scratch_;
     Integration integration_;
     Spans spans_;
+    Vec3 background_{0};
     std::unique_ptr<EdgeFinder> edges_;
     MetTogether met_;
+    ShadowsAhead shadows_;
+    std::vector<FirstBorder> firsts_ = std::vector<FirstBorder>(kMostRays);
     std::array<CameraSample, kMostRays> samples_;
     std::array<Ray, kMostRays> rays_;
     std::array<Vec2, kMostRays> places_;

@@ -21,6 +21,9 @@ public:
     // Light that arrives against the camera ray. `height` is its place in the picture, -1..1 from bottom to top; `first` what the ray meets, where known.
     CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first = nullptr);
 
+    // Shadows of the next camera ray that are known.
+    void know(AnswersAhead ahead) { direct_.know(ahead); }
+
 private:
     // One ray of the tree. `weight`: the largest share of the pixel it can make.
     struct Branch {

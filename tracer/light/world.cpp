@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tracer/engine/program.h"
+#include "tracer/image/tone.h"
 
 namespace whittle {
 
@@ -82,6 +83,14 @@ Bounds World::focusing_bounds() const {
         }
     }
     return all;
+}
+
+void World::recolor(const ColorScheme& scheme) {
+    for (Part& part : parts_) {
+        const std::vector<LeafUse>& uses = leaf_uses(*part.program);
+        for (std::size_t i = 0; i < uses.size(); ++i)
+            if (!uses[i].material.color && !uses[i].material.preset) part.surfaces[i].color = srgb_to_linear(scheme.face);
+    }
 }
 
 int World::owner(std::uint32_t inside) const {

@@ -11,6 +11,7 @@
 
 #include "csg/base/result.h"
 #include "tracer/engine/engine.h"
+#include "tracer/light/color_scheme.h"
 #include "tracer/light/matter_parts.h"
 #include "tracer/light/surface.h"
 
@@ -68,6 +69,8 @@ public:
     // close together (first_hits(), engine.h).
     void meet(const Ray* rays, int count, Scratch& scratch, MetTogether& met) const;
     bool first(const Ray& ray, const MetTogether& met, int k, Scratch& scratch, Border& border) const;
+    // Gives the scheme's colours to surfaces that name neither colour nor preset.
+    void recolor(const ColorScheme& scheme);
     // Is anything before t_max? Asks the whole solid.
     bool blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const;
 

@@ -121,6 +121,14 @@ TEST_CASE("a picture's options reach the renderer") {
     CHECK(render.options.threads == 1);
 }
 
+TEST_CASE("--colorscheme means the preview, and goes with no other integrator") {
+    const Request request = read({"-o", "a.png", "--colorscheme", "Tomorrow Night", "a.scad"});
+    CHECK(request.render.options.integrator == Integrator::kPreview);
+    CHECK(request.render.options.scheme == color_scheme_named("Tomorrow Night"));
+    CHECK(contains(refusal({"render", "a.scad", "--colorscheme", "Sunset", "--integrator", "path"}), "--integrator preview"));
+    CHECK(contains(refusal({"render", "a.scad", "--colorscheme", "Sunrise"}), "--colorscheme wants"));
+}
+
 TEST_CASE("rays may begin with a minus and be given more than once") {
     const Request request = read({"spans", "a.scad", "--ray", "-1,2,3,0,0,1", "--ray=-.5,0,1e3,1,-1,0"});
     REQUIRE(request.spans.rays.size() == 2);

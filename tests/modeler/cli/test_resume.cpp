@@ -79,6 +79,17 @@ TEST_CASE("nothing is resumed from another scene, other options or a damaged che
     CHECK(studio.folder.read("a.png") == picture);
 }
 
+TEST_CASE("a flat scene is drawn as a thin sheet") {
+    const Studio studio;
+    studio.folder.file("a.scad", "difference() { square(20, center = true); circle(5); }\n");
+    CHECK(studio.draw("flat.png", {"--samples", "2"}).code == 0);
+    studio.folder.file("a.scad", "translate([0, 0, -0.01]) linear_extrude(0.02) difference() { square(20, center = true); circle(5); }\n");
+    CHECK(studio.draw("solid.png", {"--samples", "2"}).code == 0);
+    CHECK(studio.folder.read("flat.png") == studio.folder.read("solid.png"));
+    studio.folder.file("a.scad", "square(0);\n");
+    CHECK(studio.draw("none.png", {}).code == 1);
+}
+
 TEST_CASE("without a checkpoint --resume begins, and a finished picture takes only a checkpoint away") {
     const Studio studio;
     const Outcome fresh = studio.draw("a.png", {"--samples", "2", "--resume"});
