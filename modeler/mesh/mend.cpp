@@ -206,7 +206,8 @@ std::vector<Shell> shells(const Mesh& mesh) {
     Sets sets(mesh.triangles.size());
     const auto edges = edges_of(mesh.triangles);
     for_each_edge(edges, [&](std::size_t i, std::size_t j) {
-        for (std::size_t k = i + 1; k < j; ++k) sets.join(edges[k - 1].triangle, edges[k].triangle);
+        const Index first = edges[i].triangle;
+        for (const Edge *e = edges.data() + i, *end = edges.data() + j; e != end; ++e) sets.join(first, e->triangle);
     });
     std::map<Index, Shell> by_first;
     for (Index i = 0; i < mesh.triangles.size(); ++i) by_first[sets.of(i)].triangles.push_back(mesh.triangles[i]);
