@@ -105,6 +105,7 @@ public:
     std::vector<Leaf> leaves;
     std::vector<FloatBox> leaf_boxes;      // around each leaf that is not negated, around what it takes away where it is; may be infinite
     std::vector<ClassLabel> class_labels;  // by class
+    bool some_depend = false;              // some class's label is kDepends
     std::vector<Group> groups;
     std::vector<Ref> refs;
     std::vector<ItemBall> balls;  // one a ref

@@ -348,6 +348,7 @@ void describe_for_packets(Program& program) {
             label = {ClassLabel::Kind::kUse, false, program.leaves[u.leaf].use};
         }
         label.of_facets = u.of_facets;
+        program.some_depend = program.some_depend || label.kind == ClassLabel::Kind::kDepends;
         program.class_labels.push_back(label);
     }
     for (const Ref ref : program.refs) {

@@ -15,6 +15,7 @@ constexpr double kRoom = 1 + 0x1p-40;  // over the roundings of the bounds thems
 constexpr double kLeastCosine = 0x1p-8;
 constexpr double kLeastSlope = 0x1p-9;
 constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
+constexpr double kMostRoundError = 0x1p-24; // rays that have little in common: all grazing angles at once, from all distances
 constexpr double kSnapDoubt = 0x1p-39;      // far over the snap, relative
 constexpr std::size_t kMostEdges = 512;    // of a prism that packets meet
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
@@ -243,7 +244,7 @@ private:
         const std::size_t i = (t.axis + 1u) % 3, j = (t.axis + 2u) % 3;
         t.still = !ball && largest(line.d_lo[i], line.d_hi[i]) == 0 && largest(line.d_lo[j], line.d_hi[j]) == 0;
         if (!(t.round.missed < HUGE_VAL)) return false;
-        if (!(t.round.error <= kMostError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
+        if (!(t.round.error <= kMostRoundError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
         take(t, {}, t.still ? 0 : t.round.error + 2 * u * scope_.horizon);
         return true;
     }
