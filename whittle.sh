@@ -52,7 +52,7 @@ demo() {
         cmake --preset release -DWHITTLE_TESTS=OFF -DWHITTLE_CGAL=OFF
     fi
     say "Building the program"
-    cmake --build "$build" --target whittle whittle_image
+    cmake --build "$build" --target whittle whittle_image whittle_font
     scene=examples/carved_cube.scad
     picture=$build/carved_cube.png
     say "Rendering $scene"
@@ -64,8 +64,7 @@ The picture: $PWD/$picture
 Next:
   $build/whittle render examples/bearing.scad -o bearing.png --imgsize 1024,768
   $build/whittle spans examples/carved_cube.scad --ray=-100,1,2,1,0,0
-  $build/whittle measure examples/carved_cube.scad
-(Meshes and the check of them need CGAL, which takes some minutes to compile: sh whittle.sh test)
+  $build/whittle mesh examples/carved_cube.scad -o carved_cube.stl
 END
 }
 

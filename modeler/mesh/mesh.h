@@ -1,8 +1,8 @@
 // mesh.h — a solid as triangles: the mesh, how it is asked for, what was found about it.
 //
 // A mesh is made for export and for the check, never to be seen. Leaves are tessellated within a tolerance and put on a decimal grid that is fine
-// against the model (about 1e-12 of its size), so that what the author wrote as touching touches; booleans on them are exact (CGAL, opened when the
-// first one is needed); only the finished mesh is rounded to double.
+// against the model (about 1e-12 of its size), so that what the author wrote as touching touches; booleans on them are exact
+// (modeler/arrange); only the finished mesh is rounded to double.
 #pragma once
 
 #include <array>
@@ -89,8 +89,7 @@ struct MeshResult {
 };
 
 // The solid at time 0 as one mesh. An empty solid gives an empty mesh.
-// Errors: kScene for an unbounded or 2D root, an open or self-crossing polyhedron; kInterrupted when cancelled; kWorld when the CGAL part is not
-// installed and a boolean is needed.
+// Errors: kScene for an unbounded or 2D root, an open or self-crossing polyhedron; kInterrupted when cancelled.
 Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, MeshControl& control);
 
 // The same for one use of a node, in the frame the use stands in; the solid need not have a root.
