@@ -64,8 +64,8 @@ int time_evaluation(const EvaluationOptions& options) {
     for (const auto& entry : fs::directory_iterator(options.scripts, ignored))
         if (entry.path().extension() == ".scad") scripts.push_back(entry.path());
     std::sort(scripts.begin(), scripts.end());
-    char folder[] = "/tmp/whittle-bench-XXXXXX";
-    if (scripts.empty() || !mkdtemp(folder)) {
+    std::string folder = (fs::temp_directory_path(ignored) / "whittle-bench-XXXXXX").string();
+    if (scripts.empty() || !mkdtemp(folder.data())) {
         fmt::print(stderr, "no scripts in '{}', or no folder for answers\n", options.scripts);
         return 3;
     }

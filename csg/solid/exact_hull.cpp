@@ -7,6 +7,7 @@
 #include "csg/solid/convex_hull.h"
 #include "csg/solid/convex_parts.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/use_of.h"
 
 namespace whittle {
 namespace {
@@ -15,13 +16,6 @@ namespace {
 constexpr std::size_t kMostBalls = 40;
 // A plane that touches four balls is met by three of them, and passes the fourth by the rounding of solving for it.
 constexpr double kTangentRounding = 0x1p-40;
-
-Use use_of(NodeId node, const Placement& placement = {}) {
-    Use use;
-    use.node = node;
-    use.placement = placement;
-    return use;
-}
 
 bool holds(const Ball& a, const Ball& b) { return glm::distance(a.c, b.c) + b.r <= a.r; }
 

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/solid/solid_copy.h"
+
 namespace whittle {
 namespace {
 
-// Copies nodes of one solid into another, whole or only what belongs to a part.
+// Finds the parts, and copies what belongs to one.
 class Divider {
 public:
-    explicit Divider(const Solid& solid) : solid_(solid) { collect(solid.root(), {}); }
+    explicit Divider(const Solid& solid) : solid_(solid), copy_(solid) { collect(solid.root(), {}); }
 
     const std::vector<std::string>& names() const { return names_; }
 
     Solid part(const std::string& name) {
-        builder_ = SolidBuilder();
-        copied_.clear();
+        copy_.restart();
         restricted_.clear();
         wanted_ = name;
-        return builder_.finish(restricted(solid_.root(), {}));
+        return copy_.builder.finish(restricted(solid_.root(), {}));
     }
 
 private:
@@ -38,58 +39,33 @@ private:
         }
     }
 
-    Use copied_use(const Use& use, NodeId node) {
-        Use copy = use;
-        copy.node = node;
-        copy.label = use.label == kNoLabel ? kNoLabel : builder_.label(solid_.label(use.label));
-        copy.motion = use.motion == 0 ? 0 : builder_.motion(solid_.motion(use.motion));
-        return copy;
-    }
-
-    NodeId copied(NodeId id) {
-        if (const auto found = copied_.find(id); found != copied_.end()) return found->second;
-        NodeId copy = kEmptyNode;
-        if (const auto* c = std::get_if<Combination>(&solid_.node(id))) {
-            std::vector<Use> operands;
-            for (const Use& use : c->operands) operands.push_back(copied_use(use, copied(use.node)));
-            copy = operands.empty() ? kEmptyNode : builder_.combine(c->op, std::move(operands));
-        } else {
-            Shape shape = std::get<Shape>(solid_.node(id));
-            if (auto* e = std::get_if<shape::Extrusion>(&shape)) e->profile = copied(e->profile);
-            if (auto* r = std::get_if<shape::Revolution>(&shape)) r->profile = copied(r->profile);
-            copy = builder_.shape(std::move(shape));
-        }
-        return copied_[id] = copy;
-    }
-
     // What of the use belongs to the wanted part; an empty use where nothing does.
     Use restricted(const Use& use, const std::string& outer) {
         const std::string part = part_of(use, outer);
         const auto key = std::pair(use.node, part);
         auto known = restricted_.find(key);
         if (known == restricted_.end()) known = restricted_.emplace(key, restricted_node(use.node, part)).first;
-        return known->second == kEmptyNode ? Use{} : copied_use(use, known->second);
+        return known->second == kEmptyNode ? Use{} : copy_.use(use, known->second);
     }
 
     NodeId restricted_node(NodeId id, const std::string& part) {
         const auto* c = std::get_if<Combination>(&solid_.node(id));
-        if (!c) return part == wanted_ ? copied(id) : kEmptyNode;
+        if (!c) return part == wanted_ ? copy_.whole(id) : kEmptyNode;
         std::vector<Use> operands;
         for (std::size_t i = 0; i < c->operands.size(); ++i) {
             if (c->op == SetOp::kUnion || i == 0) operands.push_back(restricted(c->operands[i], part));
-            else operands.push_back(copied_use(c->operands[i], copied(c->operands[i].node)));
+            else operands.push_back(copy_.use(c->operands[i], copy_.whole(c->operands[i].node)));
             if (c->op == SetOp::kUnion && operands.back().node == kEmptyNode) operands.pop_back();
             else if (i == 0 && c->op != SetOp::kUnion && operands.back().node == kEmptyNode) return kEmptyNode;
         }
-        return operands.empty() ? kEmptyNode : builder_.combine(c->op, std::move(operands));
+        return operands.empty() ? kEmptyNode : copy_.builder.combine(c->op, std::move(operands));
     }
 
     const Solid& solid_;
-    SolidBuilder builder_;
+    SolidCopy copy_;
     std::string wanted_;
     std::vector<std::string> names_;
     std::map<std::pair<NodeId, std::string>, bool> visited_;
-    std::map<NodeId, NodeId> copied_;
     std::map<std::pair<NodeId, std::string>, NodeId> restricted_;
 };
 

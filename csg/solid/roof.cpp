@@ -5,16 +5,10 @@
 
 #include "csg/solid/polyhedron.h"
 #include "csg/solid/predicates.h"
+#include "csg/solid/use_of.h"
 
 namespace whittle {
 namespace {
-
-Use use_of(NodeId node, const Placement& placement = {}) {
-    Use use;
-    use.node = node;
-    use.placement = placement;
-    return use;
-}
 
 // Over the strip left of the side from a to b: what is higher than the distance from the side, up to `high`.
 Use wedge(SolidBuilder& builder, Vec2 a, Vec2 b, double high) {

@@ -6,16 +6,10 @@
 #include "csg/solid/convex_parts.h"
 #include "csg/solid/facet_operations.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/use_of.h"
 
 namespace whittle {
 namespace {
-
-Use use_of(NodeId node, const Placement& placement = {}) {
-    Use use;
-    use.node = node;
-    use.placement = placement;
-    return use;
-}
 
 // What a placement that keeps z does in the plane.
 Placement in_plane(const Placement& a) { return {{a.m[0], a.m[1], 0, a.m[3], a.m[4], a.m[5], 0, a.m[7], 0, 0, 1, 0}}; }

@@ -27,10 +27,14 @@ Axes axes_of(const OutlineSide& s) {
 
 Vec2 point_of(const OutlineSide& s, double t) { return s.centre + s.u * std::cos(t) + s.v * std::sin(t); }
 
+// Angles are sums of a few arc tangents and turns, each within some units of roundoff of 2 pi: well under this. So a full turn is known as one, and whole
+// parts are not counted one too many.
+constexpr double kTurnRounding = 0x1p-40;
+
 // SVG's arcs have no full turn, and near half of one their centre is in doubt: at most a third.
 std::string svg_arc(const OutlineSide& s) {
     const Axes axes = axes_of(s);
-    const int n = std::max(1, static_cast<int>(std::ceil(std::fabs(s.turn()) / (2 * kPi / 3) - 1e-9)));
+    const int n = std::max(1, static_cast<int>(std::ceil(std::fabs(s.turn()) / (2 * kPi / 3) - kTurnRounding)));
     std::string out;
     for (int i = 1; i <= n; ++i) {
         const Vec2 to = i == n ? s.end : point_of(s, s.from + (s.to - s.from) * i / n);
@@ -63,7 +67,7 @@ public:
         point(11, b);
     }
     void arc(Vec2 from, const OutlineSide& s) {
-        const bool full = std::fabs(s.turn()) >= 2 * kPi - 1e-12;
+        const bool full = std::fabs(s.turn()) >= 2 * kPi - kTurnRounding;
         if (!s.round()) return ellipse(s, full);
         entity(full ? "CIRCLE" : "ARC");
         point(10, s.centre);
@@ -97,7 +101,7 @@ private:
 };
 
 std::string pdf_curves(const OutlineSide& s, double mm, Vec2 lo) {
-    const int n = std::max(1, static_cast<int>(std::ceil(std::fabs(s.to - s.from) / (kPi / 2) - 1e-9)));
+    const int n = std::max(1, static_cast<int>(std::ceil(std::fabs(s.to - s.from) / (kPi / 2) - kTurnRounding)));
     const double step = (s.to - s.from) / n, reach = 4.0 / 3 * std::tan(step / 4);
     std::string out;
     const auto place = [&](Vec2 p) { return shortest((p.x - lo.x) * mm) + " " + shortest((p.y - lo.y) * mm); };

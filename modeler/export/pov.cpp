@@ -185,11 +185,13 @@ private:
     std::size_t declared_ = 0, meshes_ = 0;
 };
 
+// POV-Ray's fading is 2 / (1 + (d / f)^2): the inverse square for an f far below any distance to a lamp, in mm.
+constexpr double kFade = 1e-3;
+
 // POV-Ray's diffuse reflection leaves out the 1/pi.
 std::string light_text(const PointLight& light, const Vec3& centre) {
     const LightSource source = resolve_light(light, centre);
-    // Its fading is 2 / (1 + (d / f)^2): for a tiny f the inverse square. A sphere's radiance counts by its disc.
-    constexpr double kFade = 1e-3;
+    // A sphere's radiance counts by its disc.
     const Vec3 intensity = source.radius > 0 ? source.emitted * (kPi * source.radius * source.radius) : source.emitted;
     std::string out = "light_source{" + pov_vector(light.p) + " " + rgb(intensity / (2 * kFade * kFade * kPi)) + " fade_distance " + shortest(kFade) + " fade_power 2";
     if (source.radius > 0) out += " area_light " + shortest(2 * source.radius) + "*x," + shortest(2 * source.radius) + "*y,5,5 adaptive 2 jitter circular orient";
@@ -201,7 +203,7 @@ std::string sun_text(const Vec3& towards, const Vec3& irradiance, bool shadows) 
 }
 std::string light_text(const AreaLight& light, const Vec3& centre) {
     const LightSource source = resolve_light(light, centre);
-    return "light_source{" + pov_vector(light.p + (light.u + light.v) / 2.0) + " " + rgb(source.emitted * (source.area / (2e-6 * kPi))) + " fade_distance 1e-3 fade_power 2 area_light " +
+    return "light_source{" + pov_vector(light.p + (light.u + light.v) / 2.0) + " " + rgb(source.emitted * (source.area / (2 * kFade * kFade * kPi))) + " fade_distance " + shortest(kFade) + " fade_power 2 area_light " +
            pov_vector(light.u) + "," + pov_vector(light.v) + ",5,5 adaptive 2 jitter}\n";
 }
 

@@ -5,6 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "csg/solid/solid_copy.h"
+
 namespace whittle {
 
 namespace {
@@ -21,17 +23,16 @@ struct Kind {
 // Walks the solid with the materials of the path, the outermost first.
 class Divider {
 public:
-    explicit Divider(const Solid& solid) : solid_(solid) { collect(solid.root(), Material{}); }
+    explicit Divider(const Solid& solid) : solid_(solid), copy_(solid) { collect(solid.root(), Material{}); }
 
     const std::vector<Kind>& kinds() const { return kinds_; }
 
     Solid part(std::size_t kind) {
-        builder_ = SolidBuilder();
-        copied_.clear();
+        copy_.restart();
         restricted_.clear();
         kind_ = kind;
         clears_begun_ = 0;
-        return builder_.finish(restricted(solid_.root(), Material{}));
+        return copy_.builder.finish(restricted(solid_.root(), Material{}));
     }
 
 private:
@@ -55,7 +56,7 @@ private:
             for (std::size_t i = 0; i < std::min(count, combination->operands.size()); ++i) collect(combination->operands[i], material);
             return;
         }
-        if (const NodeId profile = profile_of(use.node)) return collect(Use{profile, kNoLabel, 0, {}}, material);
+        if (const NodeId profile = copy_.profile_of(use.node)) return collect(Use{profile, kNoLabel, 0, {}}, material);
         const Kind kind = kind_here(material);
         if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     }
@@ -68,49 +69,9 @@ private:
         return materials_.size() - 1;
     }
 
-    // The 2D node that is swept, if any.
-    NodeId profile_of(NodeId node) const {
-        const Shape& shape = std::get<Shape>(solid_.node(node));
-        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return e->profile;
-        if (const auto* r = std::get_if<shape::Revolution>(&shape)) return r->profile;
-        return kEmptyNode;
-    }
-
-    NodeId with_profile(NodeId node, NodeId profile) {
-        if (profile == kEmptyNode) return kEmptyNode;
-        Shape shape = std::get<Shape>(solid_.node(node));
-        if (auto* e = std::get_if<shape::Extrusion>(&shape)) e->profile = profile;
-        if (auto* r = std::get_if<shape::Revolution>(&shape)) r->profile = profile;
-        return builder_.shape(std::move(shape));
-    }
-
-    Use copied_use(const Use& use, NodeId node) {
-        Use copy = use;
-        copy.node = node;
-        copy.label = use.label == kNoLabel ? kNoLabel : builder_.label(solid_.label(use.label));
-        copy.motion = use.motion == 0 ? 0 : builder_.motion(solid_.motion(use.motion));
-        return copy;
-    }
-
-    // The whole node, in the new builder.
-    NodeId copied(NodeId id) {
-        if (const auto found = copied_.find(id); found != copied_.end()) return found->second;
-        NodeId copy = kEmptyNode;
-        if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
-            std::vector<Use> operands;
-            for (const Use& use : combination->operands) operands.push_back(copied_use(use, copied(use.node)));
-            copy = operands.empty() ? kEmptyNode : builder_.combine(combination->op, std::move(operands));
-        } else if (const NodeId profile = profile_of(id)) {
-            copy = with_profile(id, copied(profile));
-        } else {
-            copy = builder_.shape(std::get<Shape>(solid_.node(id)));
-        }
-        return copied_[id] = copy;
-    }
-
     Use restricted(const Use& use, const Material& outer) {
         const Material material = inside(use, outer);
-        return copied_use(use, restricted(use.node, material));
+        return copy_.use(use, restricted(use.node, material));
     }
 
     // The node where its matter is of the wanted kind.
@@ -123,10 +84,10 @@ private:
         NodeId result = kEmptyNode;
         if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
             result = restricted_combination(*combination, material);
-        } else if (const NodeId profile = profile_of(id)) {
-            result = with_profile(id, restricted(profile, material));
+        } else if (const NodeId profile = copy_.profile_of(id)) {
+            result = copy_.swept(id, restricted(profile, material));
         } else if (kind_here(material) == kinds_[kind_]) {
-            result = copied(id);
+            result = copy_.whole(id);
         }
         restricted_[key] = {result, clears_begun_};
         return result;
@@ -142,15 +103,15 @@ private:
             wanted.push_back(c.op == SetOp::kUnion ? own : beside_the_others(c, i, own));
         }
         if (wanted.empty()) return kEmptyNode;
-        return builder_.combine(SetOp::kUnion, std::move(wanted));
+        return copy_.builder.combine(SetOp::kUnion, std::move(wanted));
     }
 
     // Operand `i` of an intersection or difference cut down to `own`, with the other operands whole.
     Use beside_the_others(const Combination& c, std::size_t i, const Use& own) {
         std::vector<Use> operands;
-        for (std::size_t k = 0; k < c.operands.size(); ++k) operands.push_back(k == i ? own : copied_use(c.operands[k], copied(c.operands[k].node)));
+        for (std::size_t k = 0; k < c.operands.size(); ++k) operands.push_back(k == i ? own : copy_.use(c.operands[k], copy_.whole(c.operands[k].node)));
         Use use;
-        use.node = builder_.combine(c.op, std::move(operands));
+        use.node = copy_.builder.combine(c.op, std::move(operands));
         return use;
     }
 
@@ -162,12 +123,11 @@ private:
     };
 
     const Solid& solid_;
-    SolidBuilder builder_;
+    SolidCopy copy_;
     std::vector<Kind> kinds_;
     std::vector<Material> clears_;
     std::vector<Material> materials_;
     std::set<Place> visited_;
-    std::map<NodeId, NodeId> copied_;
     std::map<Place, Restricted> restricted_;
     std::size_t kind_ = 0;
     std::size_t clears_begun_ = 0;
