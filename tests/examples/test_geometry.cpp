@@ -1,5 +1,5 @@
 // test_geometry.cpp — the scenes of tests/geometry, and the examples of Debian's package openscad where it is installed, in OpenSCAD's facets: volume,
-// area and bounds as openscad 2021.01 exported them. WHITTLE_LIVE=1 asks the installed program again for each of the scenes.
+// area and bounds as openscad 2021.01 exported them. The test "oracle/geometry" asks the installed program again for each of the scenes.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -134,8 +134,7 @@ TEST_CASE("the examples that come with openscad, in its facets, have the volume,
     }
 }
 
-TEST_CASE("what openscad exported is what it exports") {
-    if (!std::getenv("WHITTLE_LIVE")) return;
+TEST_CASE("what openscad exported is what it exports", "[.][oracle]") {
     const auto facts = stored_facts("openscad.txt");
     for (const auto& [name, text] : corpus()) {
         CAPTURE(name);

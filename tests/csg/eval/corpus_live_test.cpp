@@ -1,4 +1,4 @@
-// What tests/corpus holds as OpenSCAD's answers, against the program itself: `test_csg_eval "[oracle]"`, where it is installed (about a minute).
+// What tests/corpus holds as OpenSCAD's answers, against the program itself: the test "oracle", which exists where the program is installed.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
