@@ -37,12 +37,23 @@ void rank_matters(Program& program) {
     }
 }
 
-bool never_turns_right(const std::vector<Vec2>& contour) {
+// Never turns right, and goes around once: it changes between left to right and right to left twice.
+bool is_convex(const std::vector<Vec2>& contour) {
     const std::size_t n = contour.size();
-    for (std::size_t i = 0; i < n; ++i)
+    const auto rises = [&](std::size_t i) {
+        const Vec2 a = contour[i % n], b = contour[(i + 1) % n];
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    };
+    int changes = 0;
+    for (std::size_t i = 0; i < n; ++i) {
         if (turn_of(contour[i], contour[(i + 1) % n], contour[(i + 2) % n]) < 0) return false;
-    return n >= 3;
+        changes += rises(i) != rises(i + 1);
+    }
+    return n >= 3 && changes == 2;
 }
+
+// Of an edge of a counter-clockwise contour: does its support, as Placer::edge_plane() makes it, have the outside where others have the inside?
+bool is_outside_of_its_support(Vec2 a, Vec2 b) { return a.x == b.x ? b.y < a.y : a.y == b.y ? a.x < b.x : b.x < a.x; }
 
 class Compiler {
 public:
@@ -184,11 +195,11 @@ private:
                 leaf.edges.push_back(p.edges[edge] == kNoSupport ? kNoClass : classes_.of[p.edges[edge]].id);
             }
         }
-        leaf.convex = p.contours.size() == 1 && never_turns_right(p.contours[0]);
-        for (const SupportId id : p.edges) {
-            if (!leaf.convex || id == kNoSupport) continue;
-            const ClassOfSupport c = classes_.of[id];
-            leaf.sides.push_back({(c.id << 1) | static_cast<std::uint32_t>(c.flipped)});
+        leaf.convex = p.contours.size() == 1 && is_convex(p.contours[0]);
+        for (std::size_t i = 0; leaf.convex && i < p.edges.size(); ++i) {
+            if (p.edges[i] == kNoSupport) continue;
+            const ClassOfSupport c = classes_.of[p.edges[i]];
+            leaf.sides.push_back({(c.id << 1) | static_cast<std::uint32_t>(c.flipped != is_outside_of_its_support(leaf.points[i], leaf.points[leaf.next[i]]))});
         }
         program_.prisms.push_back(std::move(leaf));
     }

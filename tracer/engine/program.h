@@ -60,7 +60,7 @@ struct PrismLeaf {
     std::vector<Vec2> points;
     std::vector<std::uint32_t> next;  // the vertex that ends the edge from this one
     std::vector<ClassId> edges;       // class of that edge; kNoClass where it has no length
-    bool convex = false;              // one contour that never turns right: the intersection of
+    bool convex = false;              // one contour, convex and counter-clockwise: the intersection of
     std::vector<HalfSpace> sides;     // these, an edge each
 };
 

@@ -109,6 +109,32 @@ TEST_CASE("a tile's rays along an axis, and rays that do not go together, have t
     CHECK(tally.in_packets > 300);
 }
 
+TEST_CASE("a tile's rays meet prisms, convex and not, placed anyhow, as single rays do") {
+    using Ring = std::vector<Vec2>;
+    const std::vector<Ring> rings{{{-3, -2}, {3, -2}, {4, 0}, {3, 2}, {-3, 2}},           // convex
+                                  {{-3, 2}, {3, 2}, {4, 0}, {3, -2}, {-3, -2}},           // the other way round
+                                  {{-3, -2}, {3, -2}, {0, -0.5}, {3, 2}, {-3, 2}},        // not convex
+                                  {{0, 3}, {-2, -3}, {3, 1}, {-3, 1}, {2, -3}}};          // a star that goes around twice
+    const std::vector<Placement> placements{Placement(), {{0, 1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 0}}, {{0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0}}, {{0.8, -0.6, 0, 0, 0.48, 0.64, -0.6, 0, 0.36, 0.48, 0.8, 0}}};
+    Tally tally;
+    for (const Ring& ring : rings)
+        for (const Placement& placement : placements) {
+            SolidBuilder b;
+            const NodeId flat = b.shape(shape::Polygon{std::make_shared<const std::vector<Ring>>(std::vector<Ring>{ring})});
+            const NodeId prism = b.shape(shape::Extrusion{flat, -1, 1, 0, Vec2(1), 0}), gon = b.shape(shape::FacetedFrustum{-2, 2, 0.7, 0.7, 9});
+            const auto use = [](NodeId node, const Placement& at) { return Use{node, kNoLabel, 0, at}; };
+            const auto program = compiled(b.finish(use(b.combine(SetOp::kDifference, {use(prism, Placement()), use(gon, Placement())}), placement)));
+            Random random(9);
+            for (int k = 0; k < 20; ++k) {
+                Ray ray = random.ray_through({Vec3(-3), Vec3(3)});
+                INFO(to_text(ray));
+                CHECK(differing(*program, tile_around(ray, 256, 0x1p-7), HUGE_VAL, tally) == 0);
+            }
+        }
+    CHECK(tally.hits > 10000);
+    CHECK(tally.in_packets > 20000);
+}
+
 TEST_CASE("shadow rays in packets are blocked where single rays are, on every instruction set") {
     const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
