@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include "modeler/cli/frames.h"
 #include "modeler/cli/parse.h"
 #include "modeler/cli/verbs.h"
 
@@ -39,13 +40,21 @@ Exit write_stats(Session& session) {
 Exit run(const Request& request) {
     Console console(request.common.diagnostics, request.common.quiet);
     if (request.verb == Verb::kBench) return run_bench(request, console);
-    Watchdog watchdog({request.common.limit_seconds, request.common.limit_bytes}, request.outputs);
+    const std::vector<Request> frames = frames_of(request);
+    std::vector<std::string> outputs;
+    for (const Request& frame : frames) outputs.insert(outputs.end(), frame.outputs.begin(), frame.outputs.end());
+    Watchdog watchdog({request.common.limit_seconds, request.common.limit_bytes}, outputs);
     std::optional<tbb::global_control> threads;
     if (request.common.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.common.threads));
     Stats stats;
-    Session session{request, console, stats, watchdog};
-    const Exit done = run_verb(session);
-    return worse(done, write_stats(session));
+    Exit done = Exit::kDone;
+    // What is wrong with the scene may be so at one time only; what is wrong with the world stays.
+    for (std::size_t i = 0; i < frames.size() && done <= Exit::kScene; ++i) {
+        Session session{frames[i], console, stats, watchdog};
+        done = worse(done, run_verb(session));
+    }
+    Session whole{request, console, stats, watchdog};
+    return worse(done, write_stats(whole));
 }
 
 int whittle_main(std::vector<std::string> arguments) {

@@ -119,6 +119,12 @@ private:
         };
         app_.add_option_function<std::vector<std::string>>(name, read, help)->type_name("PASS,PASS")->group(group)->allow_extra_args(false);
     }
+    // An option of OpenSCAD's that chooses what Whittle does not have two of: taken, so that a Makefile works with the name changed.
+    void passed_over(const char* name, bool takes_value, const char* why, const char* group) {
+        const std::string help = fmt::format("Taken and passed over: {}", why);
+        if (takes_value) app_.add_option_function<std::string>(name, [](const std::string&) {}, help)->type_name("X")->group(group);
+        else app_.add_flag_callback(name, [] {}, help)->group(group);
+    }
     // Named by docs/command-line, its function not there yet: known, so that the message says so instead of "unknown".
     void not_yet(const char* name, bool takes_value, const char* group) {
         const std::string shown = name;
@@ -196,9 +202,13 @@ void Declaration::declare_openscad() {
     });
     flag("--render", "A picture sees $preview = false", request_.full_render, kGroup);
     flag("--preview", "A picture sees $preview = true (the default)", request_.full_render, kGroup, false);
-    for (const char* name : {"-m", "--view", "--csglimit", "--animate", "--check-parameter-ranges", "--summary", "--summary-file",
-                             "--backend", "--enable", "-O", "--debug"})
-        not_yet(name, true, kGroup);
+    number("--animate", "N", "Makes N outputs, name00000.png and on, with $t = 0, 1/N, 2/N ...", request_.frames, 1, 99999, kGroup);
+    passed_over("--csglimit", true, "no scene is too large to show", kGroup);
+    passed_over("--check-parameter-ranges", true, "what makes nothing is always told", kGroup);
+    passed_over("--backend", true, "there is one", kGroup);
+    passed_over("--enable", true, "all features are on", kGroup);
+    passed_over("--debug", true, "the messages are those of -q or all", kGroup);
+    for (const char* name : {"-m", "--view", "--summary", "--summary-file", "-O"}) not_yet(name, true, kGroup);
     not_yet("--info", false, kGroup);
 }
 

@@ -74,6 +74,7 @@ struct Request {
     std::vector<std::string> inputs;  // "-" is standard input
     std::vector<std::string> outputs;
     std::string export_format;             // --export-format, overrides the suffix
+    int frames = 0;                        // --animate; 0: no animation
     bool full_render = false;              // --render: a picture by OpenSCAD's form sees $preview = false
     std::vector<std::string> rest;         // bench: handed on as they are
     CommonRequest common;

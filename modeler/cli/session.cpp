@@ -51,6 +51,7 @@ Result<EvaluateInput> input_of(Session& session, Preview preview) {
     }
     input.library_paths = library_paths();
     input.preview = preview.variable;
+    input.time = common.time;
     input.check_parameters = common.check_parameters;
     input.hard_warnings = common.hard_warnings;
     input.cancel = &session.watchdog.interrupted();

@@ -41,7 +41,7 @@ _whittle() {
         *)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
-                --render --preview --imgsize --camera --viewall --autocenter --projection --samples --light-samples
+                --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
                 --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --binary --ascii --report -o" ;;
     esac

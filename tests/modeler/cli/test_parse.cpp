@@ -175,8 +175,14 @@ TEST_CASE("what is named in the documents and not there yet is refused, never pa
     CHECK(refusal({"mesh", "a.scad", "--remesh", "1"}) == "--remesh is not supported yet");
     CHECK(refusal({"mesh", "a.scad", "--simplify", "1"}) == "--simplify is not supported yet");
     CHECK(refusal({"check", "a.scad", "b.scad"}) == "one scene at a time: 'b.scad' is a second");
-    CHECK(refusal({"-o", "a.png", "--animate", "5", "a.scad"}) == "--animate is not supported yet");
+    CHECK(refusal({"-o", "a.png", "--view", "axes", "a.scad"}) == "--view is not supported yet");
     CHECK(contains(refusal({"view", "a.scad"}), "render --watch"));
+}
+
+TEST_CASE("options that choose what Whittle does not have two of are passed over") {
+    const auto parsed = parse_command_line({"-o", "a.stl", "--csglimit", "200000", "--backend=Manifold", "--enable", "all", "--debug", "x", "a.scad"});
+    REQUIRE(parsed);
+    CHECK(std::get<Request>(*parsed).outputs == std::vector<std::string>{"a.stl"});
 }
 
 TEST_CASE("help and version are said, not done") {

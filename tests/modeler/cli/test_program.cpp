@@ -252,3 +252,17 @@ TEST_CASE("whittle.scad is an empty file to Whittle and gives OpenSCAD every add
     CHECK_FALSE(contains(other.err, "WARNING"));
     CHECK(contains(folder.read("a.csg"), "rotate_extrude("));
 }
+
+TEST_CASE("an animation is one numbered output a frame, each at its own time") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("turn.scad", "cube([1 + $t, 2, 3]);\n");
+    const Outcome made = run_whittle({"-o", folder.name("turn.stl"), "--animate", "4", scene});
+    REQUIRE(made.code == 0);
+    CHECK(folder.names() == std::vector<std::string>{"turn.scad", "turn00000.stl", "turn00001.stl", "turn00002.stl", "turn00003.stl"});
+    CHECK(contains(folder.read("turn00003.stl"), "vertex 1.75 2 3"));
+    CHECK(!contains(folder.read("turn00000.stl"), "vertex 1.75"));
+    RunOptions there;
+    there.folder = folder.path().string();
+    CHECK(run_whittle(with_small({"--animate", "2", "turn.scad"}), there).code == 0);
+    CHECK(!folder.read("turn00001.png").empty());
+}
