@@ -15,7 +15,7 @@ namespace whittle {
 
 class Machine;
 
-// A call of a built-in function: its arguments in the author's order, names ignored; where the table names parameters, one value a parameter.
+// A call of a built-in function: its arguments in the author's order, names ignored; where the table names parameters, as builtin_arguments.h arranges them.
 struct FunctionCall {
     Machine& machine;
     std::string_view name;
@@ -30,7 +30,8 @@ struct BuiltinFunction {
     std::string_view name;
     Value (*run)(FunctionCall& call);
     std::string_view signature;
-    std::string_view parameters = {};  // "file layer": arguments go by these names alone
+    std::string_view parameters = {};  // "file layer": the names that arguments go by; "*": any
+    std::size_t positional = 0;        // how many of these an argument without a name may mean
 };
 
 // A call of a built-in module: one value a parameter of its table entry, undef where not given.

@@ -23,6 +23,15 @@ Value function_norm(FunctionCall& call);
 Value function_cross(FunctionCall& call);
 Value function_dxf_dim(FunctionCall& call);
 Value function_dxf_cross(FunctionCall& call);
+Value function_object(FunctionCall& call);
+Value function_has_key(FunctionCall& call);
+Value function_is_object(FunctionCall& call);
+Value function_import(FunctionCall& call);
+Value function_textmetrics(FunctionCall& call);
+Value function_fontmetrics(FunctionCall& call);
+
+// Warns of what builtin_arguments.h found wrong with the arguments: lines of a string, or undef.
+void tell_complaints(FunctionCall& call, const Value& complaints);
 
 // Code points of UTF-8 text, as substrings.
 std::vector<std::string_view> code_points(std::string_view text);

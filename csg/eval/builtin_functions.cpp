@@ -203,6 +203,13 @@ constexpr std::array kFunctions = std::to_array<BuiltinFunction>({
     {"is_bool", is_bool, "is_bool(value) -> boolean"},
     {"is_string", is_string, "is_string(value) -> boolean"},
     {"is_function", is_function, "is_function(value) -> boolean"},
+    {"is_object", function_is_object, "is_object(value) -> boolean"},
+    {"object", function_object, "object(name = value, ..., object, [[name, value], [name], ...]) -> object", "*"},
+    {"has_key", function_has_key, "has_key(object, name) -> boolean"},
+    {"import", function_import, "import(file [, type=\"json\"]) -> value", "file type", 1},
+    {"textmetrics", function_textmetrics, "textmetrics(text, size, font, direction=, language=, script=, halign=, valign=, spacing=) -> object",
+     "text size font direction language script halign valign spacing", 3},
+    {"fontmetrics", function_fontmetrics, "fontmetrics(size, font) -> object", "size font", 2},
 });
 
 }  // namespace

@@ -25,6 +25,7 @@ Value function_len(FunctionCall& call) {
     if (call.count() != 1) return wrong_count(call);
     if (call[0].is_vector()) return Value(static_cast<double>(call[0].size()));
     if (call[0].is_string()) return Value(static_cast<double>(call[0].string_object().points));
+    if (call[0].is_record()) return Value(static_cast<double>(call[0].record().size));
     return wrong_type(call);
 }
 

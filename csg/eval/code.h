@@ -45,6 +45,7 @@ enum class Op : std::uint8_t {
     kCall,      // a: call
     kTailCall,  // a: call of the function itself, in tail position: ends the evaluation of the body
     kCallValue, // a: value call
+    kTailCallValue,  // likewise, in tail position of function b: where that is what it calls, ends the evaluation of the body
     kBuiltin,   // a: builtin, b: first of `lists`, c: count
     kUnknownFunction,  // a: NameId
     // Generators: push any number of values.
@@ -100,6 +101,7 @@ struct Function {
     std::uint32_t depth = 1;  // of the body
     const ast::Ast* ast = nullptr;
     ast::ExprId literal = ast::kNone;
+    std::uint32_t self = kNone;  // which parameter is `this`
     SourcePlace place;
 };
 

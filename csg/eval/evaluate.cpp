@@ -45,7 +45,7 @@ void run_program(const Parsed& parsed, const EvaluateInput& input, Outside& outs
     Names names;
     for (NameId i = 1; i < parsed.program->names.size(); ++i) names.intern(parsed.program->names.text(i));
     const code::Program program = lower(parsed.program->files, names, heap);
-    Machine machine(program, names, heap, input, out.diagnostics, {outside, out.sources, out.files_read});
+    Machine machine(program, names, heap, input, out.diagnostics, {outside, out.sources, out.files_read, parsed.program->fonts});
     out.scene = Scene{};
     out.stop = machine.run(out.scene);
     out.scene.fonts = parsed.program->fonts;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "csg/eval/builtin.h"
+#include "csg/eval/builtin_arguments.h"
 #include "csg/eval/lower_state.h"
 
 namespace whittle {
@@ -260,6 +261,8 @@ TermId Lowering::lower_literal(ast::ExprId id, LexicalScope& scope) {
     function_ = before;
     frames_for_all_ = frames;
     Function& made = out_.functions[index];
+    for (std::uint32_t i = 0; i < parameters.size(); ++i)
+        if (names_.text(parameters[i].name) == "this") made.self = i;
     made.parameters = std::move(parameters);
     made.layout = std::move(layout);
     made.body = body;
@@ -276,13 +279,13 @@ TermId Lowering::lower_call(const Expr& e, LexicalScope& scope, bool tail) {
         const TermId variable = lower_name(callee.a, &scope, callee.place);
         const Op op = out_.terms[variable].op;
         if (op == Op::kUnknown || op == Op::kConstant) return lower_named_call(e, callee.a, scope, tail);
-        return lower_value_call(e, variable, callee.a, scope);
+        return lower_value_call(e, variable, callee.a, scope, tail);
     }
-    return lower_value_call(e, lower(e.a, scope), kNoName, scope);
+    return lower_value_call(e, lower(e.a, scope), kNoName, scope, false);
 }
 
 // A variable of that name hides the function only where it holds a function: which, is seen when it runs.
-TermId Lowering::lower_value_call(const Expr& e, TermId callee, NameId name, LexicalScope& scope) {
+TermId Lowering::lower_value_call(const Expr& e, TermId callee, NameId name, LexicalScope& scope, bool tail) {
     ValueCall call;
     call.name = name;
     call.callee = callee;
@@ -301,7 +304,9 @@ TermId Lowering::lower_value_call(const Expr& e, TermId callee, NameId name, Lex
         }
     }
     out_.value_calls.push_back(std::move(call));
-    return node(Op::kCallValue, e.place, static_cast<std::uint32_t>(out_.value_calls.size() - 1));
+    const std::uint32_t which = static_cast<std::uint32_t>(out_.value_calls.size() - 1);
+    const bool own = tail && function_ != code::kNone && out_.functions[function_].name == kNoName;
+    return own ? node(Op::kTailCallValue, e.place, which, function_) : node(Op::kCallValue, e.place, which);
 }
 
 // Makes reading a variable that may be unknown say nothing.
@@ -337,14 +342,10 @@ TermId Lowering::lower_named_call(const Expr& e, NameId name, LexicalScope& scop
         values.push_back(lower(argument(range, i).value, scope));
         if (builtin_functions()[builtin->second].name == "is_undef") silence(values.back());
     }
-    if (const std::string_view parameters = builtin_functions()[builtin->second].parameters; !parameters.empty()) {
-        const std::vector<TermId> given = std::exchange(values, {});
-        for (const std::string_view parameter : split_names(parameters)) {
-            values.push_back(constant(Value(), e.place));
-            for (std::uint32_t i = 0; i < range.count; ++i)
-                if (names_.text(argument(range, i).name) == parameter) values.back() = given[i];
-        }
-    }
+    std::vector<NameId> given;
+    for (std::uint32_t i = 0; i < range.count; ++i) given.push_back(argument(range, i).name);
+    const auto made = [&](std::string_view text) { return constant(text.empty() ? Value() : heap_.string(text), e.place); };
+    values = arranged_arguments<TermId>(builtin_functions()[builtin->second], given, std::move(values), names_, made);
     const std::uint32_t first = static_cast<std::uint32_t>(out_.lists.size());
     out_.lists.insert(out_.lists.end(), values.begin(), values.end());
     return node(Op::kBuiltin, e.place, builtin->second, first, static_cast<std::uint32_t>(values.size()));

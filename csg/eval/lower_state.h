@@ -60,7 +60,7 @@ private:
     code::TermId lower_vector(const ast::Expr& e, LexicalScope& scope);
     code::TermId lower_call(const ast::Expr& e, LexicalScope& scope, bool tail);
     code::TermId lower_named_call(const ast::Expr& e, NameId name, LexicalScope& scope, bool tail);
-    code::TermId lower_value_call(const ast::Expr& e, code::TermId callee, NameId name, LexicalScope& scope);
+    code::TermId lower_value_call(const ast::Expr& e, code::TermId callee, NameId name, LexicalScope& scope, bool tail);
     void silence(code::TermId id);
     code::TermId lower_literal(ast::ExprId id, LexicalScope& scope);
     code::TermId lower_let(const ast::Expr& e, LexicalScope& scope, bool tail, code::Op op);

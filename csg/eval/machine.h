@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "csg/base/degrees.h"
@@ -39,6 +40,7 @@ struct RunFiles {
     Outside& outside;
     const SourceTable& sources;
     std::vector<std::string>& read;
+    const std::vector<std::string>& fonts;  // that the text names
 };
 
 class Machine {
@@ -67,6 +69,8 @@ public:
     void append_text(std::string& out, const Value& value) const;
     std::string bare_text_of(const Value& value) const;
     Outside& outside() { return files_.outside; }
+    // The outside, knowing the fonts that the text names.
+    Outside& fonts();
     // The path of a file that a call at `place` names: beside the text of the call, else beside the main file, else in the libraries; where there is
     // none, beside the text. It joins the list of files read.
     std::string find_file(SourcePlace place, std::string_view name);
@@ -98,6 +102,7 @@ private:
     Value eval_binary(ast::Op op, const Value& left, const Value& right, TermId id);
     Value eval_range(const code::Term& node, TermId id, Frame* frame);
     Value eval_member(const code::Term& term, Frame* frame);
+    Value member_of(const Value& record, std::string_view name);
     Value swizzle(const Value& vector, const std::string& name);
     Value eval_dynamic(const code::Term& node, TermId id);
     void bind(const code::Bind& bind, Value value, Frame* frame);
@@ -122,7 +127,10 @@ private:
     Frame* next_frame(const code::Call& call, Frame* frame, TermId id);
     Value run_tail_calls(const code::Function& function, NameId name);
     Value call_value(TermId id, Frame* frame);
-    const code::Matched& matched_values(std::uint32_t which, std::uint32_t function);
+    Value tail_call_value(const code::Term& term, TermId id, Frame* frame);
+    Value call_other_than_function(const code::ValueCall& call, const Value& callee, Frame* frame, SourcePlace place);
+    Frame* frame_of_value_call(std::uint32_t which, const Value& callee, Frame* frame, SourcePlace place);
+    const code::Matched& matched_values(std::uint32_t which, std::uint32_t function, bool is_method);
     Value call_builtin(std::uint32_t builtin, std::span<Value> arguments, SourcePlace place);
     Frame* home_frame(const code::Home& home, Frame* frame);
     struct Frames { Frame* home; Frame* caller; Frame* into; };
@@ -202,8 +210,8 @@ private:
     std::vector<Value, LargeAllocator<Value>> stack_;       // elements of lists being made
     std::vector<SceneNodeId> pending_;                      // children of nodes being made
     std::vector<Root> roots_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, code::Matched> matches_;  // of a value call with a function it met
-    struct LastMatch { std::uint32_t function = 0; const code::Matched* matched = nullptr; };
+    std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, code::Matched> matches_;  // of a value call with a function or method it met
+    struct LastMatch { std::uint32_t function = 0; bool is_method = false; const code::Matched* matched = nullptr; };
     std::vector<LastMatch> last_matches_;                   // by value call
     std::map<std::pair<HintSearch, NameId>, std::string> hints_;
     Frame* tail_ = nullptr;                                 // of the call that a body ended in
@@ -211,6 +219,7 @@ private:
     std::vector<std::string> recent_;                       // last messages
     Placement placement_;
     Scene* scene_ = nullptr;
+    bool fonts_known_ = false;
     std::uint32_t depth_ = 0;
     std::uint64_t ticks_ = 0;
     std::chrono::steady_clock::time_point deadline_{};

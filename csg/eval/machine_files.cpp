@@ -35,6 +35,13 @@ std::string Machine::find_file(SourcePlace place, std::string_view name) {
     return path;
 }
 
+Outside& Machine::fonts() {
+    if (!fonts_known_)
+        for (const std::string& font : files_.fonts) files_.outside.add_font(font);
+    fonts_known_ = true;
+    return files_.outside;
+}
+
 void Machine::add_child(SourcePlace place, scene::What what) {
     SceneNode node;
     node.what = std::move(what);

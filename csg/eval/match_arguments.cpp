@@ -42,6 +42,7 @@ Matched match_arguments(const std::vector<NameId>& arguments, const Callee& call
     for (std::uint32_t i = 0; i < arguments.size(); ++i) {
         NameId name = arguments[i];
         if (name == kNoName) {
+            if (next == callee.skipped) ++next;
             if (next >= callee.positional) {
                 if (!too_many) out.complaints.push_back("Too many unnamed arguments supplied");
                 too_many = true;

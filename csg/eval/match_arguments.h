@@ -14,6 +14,7 @@ struct Callee {
     const std::vector<code::Parameter>& parameters;
     const code::Layout& layout;
     std::size_t positional;  // how many parameters unnamed arguments may reach
+    std::uint32_t skipped = code::kNone;  // one of them that they do not: `this` of a method
 };
 
 // Left to right: a name binds its parameter, an unnamed one the next position, counting only unnamed ones. `dynamic_of` gives the cell of a $-variable.

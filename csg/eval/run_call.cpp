@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "csg/eval/builtin.h"
+#include "csg/eval/builtin_arguments.h"
 #include "csg/eval/machine.h"
 #include "csg/eval/match_arguments.h"
 #include "csg/eval/nearest.h"
@@ -90,31 +91,53 @@ Value Machine::run_tail_calls(const code::Function& f, NameId name) {
     }
 }
 
-Value Machine::call_value(TermId id, Frame* frame) {
-    const ValueCall& call = program_.value_calls[program_.terms[id].a];
-    const SourcePlace place = program_.places[id];
-    const Value callee = eval(call.callee, frame);
-    if (!callee.is_function() && call.otherwise == ValueCall::Otherwise::kBuiltin) {
+Value Machine::call_other_than_function(const ValueCall& call, const Value& callee, Frame* frame, SourcePlace place) {
+    if (call.otherwise == ValueCall::Otherwise::kBuiltin) {
         std::vector<Value> values;
-        for (const Argument& a : call.arguments) values.push_back(eval(a.value, frame));
+        std::vector<NameId> given;
+        for (const Argument& a : call.arguments) {
+            values.push_back(eval(a.value, frame));
+            given.push_back(a.name);
+        }
+        const auto made = [this](std::string_view text) { return text.empty() ? Value() : heap_.string(text); };
+        values = arranged_arguments<Value>(builtin_functions()[call.target], given, std::move(values), names_, made);
         return call_builtin(call.target, values, place);
     }
-    if (!callee.is_function() && call.otherwise == ValueCall::Otherwise::kNothing) {
-        if (call.name != kNoName) warn(place, "Ignoring unknown function '" + names_.text(call.name) + "'", hint(hint_for_function, call.name));
-        else warn(place, std::string("Can't call function on ") + type_name(callee.type()));
-        return {};
-    }
+    if (call.name != kNoName) warn(place, "Ignoring unknown function '" + names_.text(call.name) + "'", hint(hint_for_function, call.name));
+    else warn(place, std::string("Can't call function on ") + type_name(callee.type()));
+    return {};
+}
+
+// The frame of a call of what `callee` is, else of the function of that name: its parameters set, `this` too.
+Frame* Machine::frame_of_value_call(std::uint32_t which, const Value& callee, Frame* frame, SourcePlace place) {
+    const ValueCall& call = program_.value_calls[which];
     const std::uint32_t function = callee.is_function() ? callee.function().code : call.target;
     const code::Function& f = program_.functions[function];
-    const Matched& matched = matched_values(terms_[id].a, function);
+    RecordObject* self = callee.is_function() ? callee.function().self : nullptr;
+    const Matched& matched = matched_values(which, function, self != nullptr);
+    if (callee.is_function()) retain(callee.function().frame);
+    const FrameRef home(callee.is_function() ? callee.function().frame : home_frame(call.home, frame));
+    FrameRef inner(heap_.frame(f.layout.slots, home.get()));
+    set_parameters(call.name, f.parameters, matched, {home.get(), frame, inner.get()}, place);
+    if (self && !(f.self < 64 && (matched.given >> f.self & 1))) {
+        ++self->refs;
+        inner.get()->slots()[f.parameters[f.self].target] = Value(self);
+    }
+    return inner.take();
+}
+
+Value Machine::call_value(TermId id, Frame* frame) {
+    const std::uint32_t which = program_.terms[id].a;
+    const ValueCall& call = program_.value_calls[which];
+    const SourcePlace place = program_.places[id];
+    const Value callee = eval(call.callee, frame);
+    if (!callee.is_function() && call.otherwise != ValueCall::Otherwise::kFunction) return call_other_than_function(call, callee, frame, place);
+    const code::Function& f = program_.functions[callee.is_function() ? callee.function().code : call.target];
     tick();
     const Depth depth(*this, f.depth + 1, "function", call.name, place);
     const std::size_t before = mark();
     try {
-        if (callee.is_function()) retain(callee.function().frame);
-        const FrameRef home(callee.is_function() ? callee.function().frame : home_frame(call.home, frame));
-        const FrameRef inner(heap_.frame(f.layout.slots, home.get()));
-        set_parameters(call.name, f.parameters, matched, {home.get(), frame, inner.get()}, place);
+        const FrameRef inner(frame_of_value_call(which, callee, frame, place));
         Value result = eval(f.body, inner.get());
         if (tail_) result = run_tail_calls(f, call.name);
         undo(before);
@@ -125,11 +148,19 @@ Value Machine::call_value(TermId id, Frame* frame) {
     }
 }
 
+// A function literal that calls itself through a variable goes round like a named function.
+Value Machine::tail_call_value(const Term& term, TermId id, Frame* frame) {
+    const Value callee = eval(program_.value_calls[term.a].callee, frame);
+    if (!callee.is_function() || callee.function().code != term.b) return call_value(id, frame);
+    tail_ = frame_of_value_call(term.a, callee, frame, program_.places[id]);
+    return Value::unset();
+}
+
 // The match of a call's arguments with the function it met: made once, and the last one found at once.
-const Matched& Machine::matched_values(std::uint32_t which, std::uint32_t function) {
+const Matched& Machine::matched_values(std::uint32_t which, std::uint32_t function, bool is_method) {
     LastMatch& last = last_matches_[which];
-    if (last.matched && last.function == function) return *last.matched;
-    const std::pair<std::uint32_t, std::uint32_t> key{which, function};
+    if (last.matched && last.function == function && last.is_method == is_method) return *last.matched;
+    const std::tuple key{which, function, is_method};
     auto found = matches_.find(key);
     if (found == matches_.end()) {
         const std::vector<Argument>& arguments = program_.value_calls[which].arguments;
@@ -139,11 +170,11 @@ const Matched& Machine::matched_values(std::uint32_t which, std::uint32_t functi
         const auto dynamic_of = [this](NameId name) {
             return static_cast<std::uint32_t>(std::find(program_.dynamics.begin(), program_.dynamics.end(), name) - program_.dynamics.begin());
         };
-        Matched made = match_arguments(given, {f.parameters, f.layout, f.parameters.size()}, names_, dynamic_of);
+        Matched made = match_arguments(given, {f.parameters, f.layout, f.parameters.size(), is_method ? f.self : code::kNone}, names_, dynamic_of);
         for (Passed& passed : made.passed) passed.value = arguments[passed.value].value;
         found = matches_.emplace(key, std::move(made)).first;
     }
-    last = {function, &found->second};
+    last = {function, is_method, &found->second};
     return found->second;
 }
 

@@ -39,6 +39,8 @@ void Machine::make_loop_level(const Inst& inst, std::size_t level, Frame* frame)
         for (std::uint32_t i = 0; i < values.size(); ++i) round(values[i]);
     } else if (values.is_string()) {
         for (std::uint32_t i = 0; i < values.string_object().points; ++i) round(character_at(heap_, values.string_object(), i));
+    } else if (values.is_record()) {
+        for (std::uint32_t i = 0; i < values.record().size; ++i) round(values.record().names()[i]);
     } else if (!values.is_undef()) {
         round(values);
     }

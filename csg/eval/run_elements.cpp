@@ -75,6 +75,8 @@ void Machine::for_values(const Value& values, std::uint32_t limit, SourcePlace p
         for (std::uint32_t i = 0; i < values.size(); ++i) body(values[i]);
     } else if (values.is_string()) {
         for (std::uint32_t i = 0; i < values.string_object().points; ++i) body(character_at(heap_, values.string_object(), i));
+    } else if (values.is_record()) {
+        for (std::uint32_t i = 0; i < values.record().size; ++i) body(values.record().names()[i]);
     } else if (!values.is_undef()) {
         body(values);
     }

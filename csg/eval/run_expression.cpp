@@ -83,7 +83,8 @@ Value Machine::eval(TermId id, Frame* frame) {
             case Op::kElement: {
                 Value hold;
                 const Value& whole = operand(term.a, frame, hold);
-                return whole.is_vector() && term.b < whole.size() ? whole[term.b] : Value();
+                if (whole.is_vector()) return term.b < whole.size() ? whole[term.b] : Value();
+                return whole.is_record() ? member_of(whole, std::string_view(&"xyz"[term.b], 1)) : Value();
             }
             case Op::kVector: return eval_vector(term, id, frame);
             case Op::kLet:
@@ -133,7 +134,16 @@ Value Machine::eval_index(const Term& term, Frame* frame) {
     const Value& list = operand(term.a, frame, first);
     const Value& index = operand(term.b, frame, second);
     if (list.is_vector() && index.is_number() && index.number() >= 0 && index.number() < list.size()) return list[static_cast<std::size_t>(index.number())];
+    if (list.is_record()) return index.is_string() ? member_of(list, index.string()) : Value();
     return element_at(heap_, list, index);
+}
+
+// A member of an object; a function with a parameter `this` comes as a method of it.
+Value Machine::member_of(const Value& record, std::string_view name) {
+    const Value* found = record.record().find(name);
+    if (!found) return {};
+    if (!found->is_function() || found->function().self || program_.functions[found->function().code].self == code::kNone) return *found;
+    return heap_.method(found->function(), record.record());
 }
 
 Value Machine::eval_vector(const Term& term, TermId id, Frame* frame) {
@@ -204,6 +214,7 @@ Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
         }
         case Op::kFunction: return heap_.function(term.a, frame);
         case Op::kCallValue: return call_value(id, frame);
+        case Op::kTailCallValue: return tail_call_value(term, id, frame);
         case Op::kUnknownFunction:
             warn(program_.places[id], "Ignoring unknown function '" + names_.text(term.a) + "'", hint(hint_for_function, term.a));
             return {};
@@ -267,6 +278,7 @@ Value Machine::eval_member(const Term& term, Frame* frame) {
     const Value& whole = operand(term.a, frame, hold);
     const std::string& name = names_.text(term.b);
     if (whole.is_vector()) return swizzle(whole, name);
+    if (whole.is_record()) return member_of(whole, name);
     if (whole.is_range()) {
         if (name == "begin") return Value(whole.range().begin);
         if (name == "step") return Value(whole.range().step);

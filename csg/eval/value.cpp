@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 
 namespace whittle {
 
@@ -15,6 +16,7 @@ const char* type_name(Type type) {
         case Type::kNumber: return "number";
         case Type::kString: return "string";
         case Type::kVector: return "vector";
+        case Type::kRecord: return "object";
         case Type::kRange: return "range";
         case Type::kFunction: return "function";
     }
@@ -29,6 +31,7 @@ bool Value::truth_of_object() const {
         case Type::kNumber: return number_ != 0;
         case Type::kString: return string_object().bytes > 0;
         case Type::kVector: return vector().size > 0;
+        case Type::kRecord:
         case Type::kRange:
         case Type::kFunction: return true;
     }
@@ -64,6 +67,8 @@ Heap::~Heap() {
 
 namespace {
 
+constexpr std::size_t bytes_of_record(std::size_t size) { return sizeof(RecordObject) + size * (2 * sizeof(Value) + sizeof(std::uint32_t)); }
+
 std::size_t bytes_of(const Object& object) {
     switch (object.type) {
         case Type::kString: {
@@ -71,6 +76,7 @@ std::size_t bytes_of(const Object& object) {
             return sizeof(StringObject) + (text.buffer ? 0 : text.bytes);
         }
         case Type::kVector: return sizeof(VectorObject) + sizeof(Value) * static_cast<const VectorObject&>(object).size;
+        case Type::kRecord: return bytes_of_record(static_cast<const RecordObject&>(object).size);
         case Type::kRange: return sizeof(RangeObject);
         default: return sizeof(FunctionObject);
     }
@@ -140,7 +146,7 @@ Value Heap::vector(Value* first, std::size_t count) {
     VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
     v->size = static_cast<std::uint32_t>(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (first[i].is_vector()) v->nesting = std::max(v->nesting, first[i].vector().nesting + 1);
+        if (first[i].is_nested()) v->nesting = std::max(v->nesting, first[i].nesting() + 1);
         new (v->data() + i) Value(std::move(first[i]));
     }
     return Value(v);
@@ -160,6 +166,26 @@ Value Heap::numbers(const double* first, std::size_t count) {
     return Value(v);
 }
 
+Value Heap::record(std::vector<Value> names, std::vector<Value> values) {
+    const std::size_t count = names.size();
+    RecordObject* r = make<RecordObject>(*this, Type::kRecord, bytes_of_record(count) - sizeof(RecordObject));
+    r->size = static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        new (r->data() + i) Value(std::move(names[i]));
+        if (values[i].is_nested()) r->nesting = std::max(r->nesting, values[i].nesting() + 1);
+        new (r->data() + count + i) Value(std::move(values[i]));
+    }
+    std::iota(r->order(), r->order() + count, 0u);
+    std::sort(r->order(), r->order() + count, [r](std::uint32_t a, std::uint32_t b) { return r->names()[a].string() < r->names()[b].string(); });
+    return Value(r);
+}
+
+const Value* RecordObject::find(std::string_view name) const {
+    const std::uint32_t* end = order() + size;
+    const std::uint32_t* at = std::lower_bound(order(), end, name, [this](std::uint32_t i, std::string_view text) { return names()[i].string() < text; });
+    return at != end && names()[*at].string() == name ? values() + *at : nullptr;
+}
+
 Value Heap::function(std::uint32_t code, Frame* frame) {
     FunctionObject* f = make<FunctionObject>(*this, Type::kFunction);
     f->code = code;
@@ -169,6 +195,14 @@ Value Heap::function(std::uint32_t code, Frame* frame) {
     if (functions_) functions_->previous = f;
     functions_ = f;
     return Value(f);
+}
+
+Value Heap::method(const FunctionObject& f, const RecordObject& self) {
+    Value made = function(f.code, f.frame);
+    FunctionObject& method = *static_cast<FunctionObject*>(made.object());
+    method.self = const_cast<RecordObject*>(&self);
+    ++method.self->refs;
+    return made;
 }
 
 void Heap::forget(FunctionObject& f) {
@@ -213,10 +247,14 @@ private:
         if (object.type == Type::kVector) {
             VectorObject& v = static_cast<VectorObject&>(object);
             for (std::uint32_t i = 0; i < v.size; ++i) drop(v.data()[i]);
+        } else if (object.type == Type::kRecord) {
+            RecordObject& r = static_cast<RecordObject&>(object);
+            for (std::uint32_t i = 0; i < 2 * r.size; ++i) drop(r.data()[i]);
         } else if (object.type == Type::kFunction) {
             FunctionObject& f = static_cast<FunctionObject&>(object);
             f.heap->forget(f);
             drop(f.frame);
+            if (f.self && --f.self->refs == 0) objects_.push_back(f.self);
         }
     }
     void drop(const Value& value) {
@@ -231,7 +269,7 @@ private:
 
 // Has it parts that could die with it?
 bool is_flat(Object& object) {
-    if (object.type != Type::kVector) return object.type != Type::kFunction;
+    if (object.type != Type::kVector) return object.type != Type::kFunction && object.type != Type::kRecord;
     VectorObject& v = static_cast<VectorObject&>(object);
     for (std::uint32_t i = 0; i < v.size; ++i)
         if (v.data()[i].is_object()) return false;

@@ -20,7 +20,7 @@ class Heap;
 struct Frame;
 class Value;
 
-enum class Type : std::uint8_t { kUnset, kUndef, kBool, kNumber, kString, kVector, kRange, kFunction };
+enum class Type : std::uint8_t { kUnset, kUndef, kBool, kNumber, kString, kVector, kRecord, kRange, kFunction };
 
 // Name of a type as messages call it.
 const char* type_name(Type type);
@@ -46,21 +46,38 @@ struct StringObject : Object {
     std::string_view view() const { return {data(), bytes}; }
 };
 
-// `size` values follow the header. `nesting` is one more than the deepest element's.
-struct VectorObject : Object {
+// What holds values: `nesting` is one more than the deepest one's.
+struct NestedObject : Object {
     std::uint32_t size = 0, nesting = 1;
+};
+
+// `size` values follow the header.
+struct VectorObject : NestedObject {
     inline const Value* data() const;
     inline Value* data();
+};
+
+// What the language calls an object: named values. `size` names in the order of their making follow the header, then as many values, then the
+// positions of the names in the order of their bytes.
+struct RecordObject : NestedObject {
+    inline const Value* names() const;
+    inline const Value* values() const;
+    inline Value* data();  // names and values
+    inline std::uint32_t* order();
+    inline const std::uint32_t* order() const;
+    // The value of that name; null where there is none.
+    const Value* find(std::string_view name) const;
 };
 
 struct RangeObject : Object {
     double begin = 0, step = 1, end = 0;
 };
 
-// A function literal with the frame it was made in.
+// A function literal with the frame it was made in, and the record it was read from where it is a method.
 struct FunctionObject : Object {
     std::uint32_t code = 0;  // index of the function in the program's code
     Frame* frame = nullptr;
+    RecordObject* self = nullptr;
     FunctionObject* previous = nullptr;  // list of the living, for Heap::break_cycles
     FunctionObject* next = nullptr;
 };
@@ -107,6 +124,8 @@ public:
     bool is_bool() const { return type_ == Type::kBool; }
     bool is_string() const { return type_ == Type::kString; }
     bool is_vector() const { return type_ == Type::kVector; }
+    bool is_record() const { return type_ == Type::kRecord; }
+    bool is_nested() const { return type_ == Type::kVector || type_ == Type::kRecord; }
     bool is_range() const { return type_ == Type::kRange; }
     bool is_function() const { return type_ == Type::kFunction; }
     bool is_object() const { return type_ >= Type::kString; }
@@ -116,6 +135,8 @@ public:
     std::string_view string() const { return static_cast<const StringObject*>(object_)->view(); }
     const StringObject& string_object() const { return *static_cast<const StringObject*>(object_); }
     const VectorObject& vector() const { return *static_cast<const VectorObject*>(object_); }
+    const RecordObject& record() const { return *static_cast<const RecordObject*>(object_); }
+    std::uint32_t nesting() const { return static_cast<const NestedObject*>(object_)->nesting; }
     const RangeObject& range() const { return *static_cast<const RangeObject*>(object_); }
     const FunctionObject& function() const { return *static_cast<const FunctionObject*>(object_); }
     Object* object() const { return object_; }
@@ -141,6 +162,11 @@ static_assert(sizeof(Value) == 16);
 
 const Value* VectorObject::data() const { return reinterpret_cast<const Value*>(this + 1); }
 Value* VectorObject::data() { return reinterpret_cast<Value*>(this + 1); }
+const Value* RecordObject::names() const { return reinterpret_cast<const Value*>(this + 1); }
+const Value* RecordObject::values() const { return names() + size; }
+Value* RecordObject::data() { return reinterpret_cast<Value*>(this + 1); }
+std::uint32_t* RecordObject::order() { return reinterpret_cast<std::uint32_t*>(data() + 2 * std::size_t{size}); }
+const std::uint32_t* RecordObject::order() const { return reinterpret_cast<const std::uint32_t*>(names() + 2 * std::size_t{size}); }
 
 // The elements of a vector that nobody else holds yet.
 inline Value* elements_of_new(Value& vector) { return static_cast<VectorObject*>(vector.object())->data(); }
@@ -149,7 +175,7 @@ inline void note_nesting(Value& vector) {
     VectorObject& v = *static_cast<VectorObject*>(vector.object());
     for (std::uint32_t i = 0; i < v.size; ++i) {
         const Value& element = v.data()[i];
-        if (element.is_vector() && element.vector().nesting >= v.nesting) v.nesting = element.vector().nesting + 1;
+        if (element.is_nested() && element.nesting() >= v.nesting) v.nesting = element.nesting() + 1;
     }
 }
 std::uint32_t Value::size() const { return vector().size; }
@@ -174,7 +200,11 @@ public:
     Value numbers(const double* first, std::size_t count);
     // `count` undefs, to be filled through elements_of_new() before anybody else sees them.
     Value blank_vector(std::size_t count);
+    // Named values, moved from. Requires: the names are strings, no two equal, as many as the values.
+    Value record(std::vector<Value> names, std::vector<Value> values);
     Value function(std::uint32_t code, Frame* frame);
+    // `function` as a method of `self`.
+    Value method(const FunctionObject& function, const RecordObject& self);
     inline Frame* frame(std::uint32_t slots, Frame* parent);
 
     std::uint64_t bytes() const { return bytes_; }

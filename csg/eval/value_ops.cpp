@@ -12,6 +12,20 @@ namespace whittle {
 
 using ast::Op;
 
+namespace {
+
+// The same names with equal values, in any order.
+bool equal_records(const RecordObject& left, const RecordObject& right) {
+    if (left.size != right.size) return false;
+    for (std::uint32_t i = 0; i < left.size; ++i) {
+        const Value* other = right.find(left.names()[i].string());
+        if (!other || !equal(left.values()[i], *other)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 bool equal(const Value& left, const Value& right) {
     if (left.type() != right.type()) return left.is_undef() && right.is_undef();
     switch (left.type()) {
@@ -26,9 +40,13 @@ bool equal(const Value& left, const Value& right) {
                 if (!equal(left[i], right[i])) return false;
             return true;
         }
+        case Type::kRecord: return equal_records(left.record(), right.record());
         case Type::kRange:
             return left.range().begin == right.range().begin && left.range().step == right.range().step && left.range().end == right.range().end;
-        case Type::kFunction: return left.object() == right.object();
+        case Type::kFunction: {
+            const FunctionObject &a = left.function(), &b = right.function();
+            return &a == &b || (a.self && a.self == b.self && a.code == b.code && a.frame == b.frame);
+        }
     }
     return false;
 }

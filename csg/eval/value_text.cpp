@@ -140,6 +140,18 @@ void append_value(std::string& out, const Value& value, const FunctionText& func
             }
             out.push_back(']');
             return;
+        case Type::kRecord: {
+            const RecordObject& record = value.record();
+            out += "{ ";
+            for (std::uint32_t i = 0; i < record.size; ++i) {
+                out += record.names()[i].string();
+                out += " = ";
+                append_value(out, record.values()[i], functions);
+                out += "; ";
+            }
+            out.push_back('}');
+            return;
+        }
         case Type::kRange:
             out.push_back('[');
             append_number(out, value.range().begin);
