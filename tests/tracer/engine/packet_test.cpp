@@ -135,6 +135,38 @@ TEST_CASE("a tile's rays meet prisms, convex and not, placed anyhow, as single r
     CHECK(tally.in_packets > 20000);
 }
 
+TEST_CASE("a tile's rays meet a union of many turned parts, whole and half behind a window, as single rays do") {
+    constexpr int kSide = 5;  // 125 parts of five leaves: more than are looked at in one window
+    SolidBuilder b;
+    const auto use = [](NodeId node, const Placement& at) { return Use{node, kNoLabel, 0, at}; };
+    const NodeId drill = b.shape(shape::Frustum{-1.1, 1.1, 0.75, 0.75});
+    const Placement to_x{{0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0}}, to_y{{0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0}};
+    const NodeId part = b.combine(SetOp::kDifference, {use(b.shape(shape::Box{Vec3(-1), Vec3(1)}), Placement()), use(b.shape(shape::Ellipsoid{Vec3(1.2)}), Placement()),
+                                                       use(drill, to_x), use(drill, to_y), use(drill, Placement())});
+    Random random(6);
+    std::vector<Use> parts;
+    for (int k = 0; k < kSide * kSide * kSide; ++k) {
+        Vec3 x, y;
+        do x = random.ray_through({Vec3(-1), Vec3(1)}).direction, y = glm::cross(x, Vec3(0.3, 0.5, 0.8));
+        while (glm::length(x) == 0 || glm::length(y) < 0.1 * glm::length(x));
+        x = glm::normalize(x), y = glm::normalize(y);
+        const Vec3 z = glm::cross(x, y), at = Vec3(k % kSide, k / kSide % kSide, k / kSide / kSide) * 3.0;
+        parts.push_back(use(part, {{x.x, y.x, z.x, at.x, x.y, y.y, z.y, at.y, x.z, y.z, z.z, at.z}}));
+    }
+    const auto program = compiled(b.finish(use(b.combine(SetOp::kUnion, std::move(parts)), Placement())));
+    Tally tally;
+    for (int i = 0; i < 60; ++i) {
+        Ray ray;
+        ray.origin = {30, 25, 40};
+        const Ray target = random.ray_through({Vec3(0), Vec3(12)});
+        ray.direction = glm::normalize(target.origin + target.direction - ray.origin);
+        INFO(i);
+        CHECK(differing(*program, tile_around(ray, 256, 4e-3 * (1 + i % 3)), HUGE_VAL, tally) == 0);
+    }
+    CHECK(tally.hits > 2000);
+    CHECK(tally.in_packets > 5000);
+}
+
 TEST_CASE("shadow rays in packets are blocked where single rays are, on every instruction set") {
     const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
