@@ -22,8 +22,8 @@ struct Peer {
     }
 };
 
-void add_mesh(Peer& peer, const PeerMesh& mesh) {
-    RTCGeometry g = rtcNewGeometry(peer.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+void add_mesh(RTCDevice device, RTCScene scene, const PeerMesh& mesh) {
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.points.size()));
     for (const Vec3& p : mesh.points)
         for (int i = 0; i < 3; ++i) *points++ = static_cast<float>(p[i]);
@@ -31,7 +31,7 @@ void add_mesh(Peer& peer, const PeerMesh& mesh) {
     for (const auto& t : mesh.triangles)
         for (const std::uint32_t i : t) *corners++ = i;
     rtcCommitGeometry(g);
-    rtcAttachGeometry(peer.scene, g);
+    rtcAttachGeometry(scene, g);
     rtcReleaseGeometry(g);
 }
 
@@ -45,6 +45,25 @@ void add_balls(Peer& peer, const std::vector<Ball>& balls) {
     rtcCommitGeometry(g);
     rtcAttachGeometry(peer.scene, g);
     rtcReleaseGeometry(g);
+}
+
+// Instances of one scene of the mesh, which they keep alive.
+void add_instances(Peer& peer, const PeerMesh& mesh, const std::vector<Placement>& placements) {
+    RTCScene part = rtcNewScene(peer.device);
+    rtcSetSceneBuildQuality(part, RTC_BUILD_QUALITY_HIGH);
+    add_mesh(peer.device, part, mesh);
+    rtcCommitScene(part);
+    for (const Placement& p : placements) {
+        RTCGeometry g = rtcNewGeometry(peer.device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(g, part);
+        float rows[12];
+        for (std::size_t i = 0; i < 12; ++i) rows[i] = static_cast<float>(p.m[i]);
+        rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, rows);
+        rtcCommitGeometry(g);
+        rtcAttachGeometry(peer.scene, g);
+        rtcReleaseGeometry(g);
+    }
+    rtcReleaseScene(part);
 }
 
 // The normal is stored as Embree leaves it, not made a unit vector.
@@ -117,25 +136,23 @@ void any_16(Peer& peer, const Ray* rays, int count, Answer* answers) {
 
 }  // namespace
 
-std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent) {
+std::vector<Subject> embree_subjects(const BenchScene& scene, const PeerMesh& mesh, Query query, bool coherent) {
     if (query == Query::kSpans) return {};
-    const std::vector<Ball> balls = balls_of(scene.name);
-    const PeerMesh mesh = balls.empty() ? peer_mesh(scene) : PeerMesh{};
+    const std::vector<Ball>& balls = scene.balls;
     if (balls.empty() && mesh.triangles.empty()) return {};
     const auto peer = std::make_shared<Peer>();
     peer->device = rtcNewDevice("threads=1");
     peer->scene = rtcNewScene(peer->device);
     rtcSetSceneBuildQuality(peer->scene, RTC_BUILD_QUALITY_HIGH);
-    if (balls.empty()) {
-        add_mesh(*peer, mesh);
-    } else {
-        add_balls(*peer, balls);
-    }
+    if (!balls.empty()) add_balls(*peer, balls);
+    else if (!scene.placements.empty()) add_instances(*peer, mesh, scene.placements);
+    else add_mesh(peer->device, peer->scene, mesh);
     rtcCommitScene(peer->scene);
     rtcInitIntersectContext(&peer->context);
     peer->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const auto of = [&](auto f) { return [peer, f](const Ray* rays, int count, Answer* answers) { f(*peer, rays, count, answers); }; };
-    const std::string what = balls.empty() ? " (" + std::to_string(mesh.triangles.size()) + " triangles)" : " (balls)";
+    const std::string triangles = std::to_string(mesh.triangles.size()) + " triangles";
+    const std::string what = !balls.empty() ? " (balls)" : scene.placements.empty() ? " (" + triangles + ")" : " (instances of " + triangles + ")";
     if (query == Query::kAny) return {{"embree 1" + what, of(any_1), {}}, {"embree 16" + what, of(any_16), {}}};
     return {{"embree 1" + what, of(first_1), {}}, {"embree 16" + what, of(first_16), {}}};
 }
@@ -145,7 +162,7 @@ std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std
     peer.device = rtcNewDevice("threads=1");
     peer.scene = rtcNewScene(peer.device);
     rtcSetSceneFlags(peer.scene, RTC_SCENE_FLAG_ROBUST);
-    add_mesh(peer, mesh);
+    add_mesh(peer.device, peer.scene, mesh);
     rtcCommitScene(peer.scene);
     rtcInitIntersectContext(&peer.context);
     std::vector<std::vector<double>> all(rays.size());

@@ -7,13 +7,9 @@
 #include <sstream>
 #include <vector>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
+
+#include "bench/child.h"
 
 namespace fs = std::filesystem;
 
@@ -26,22 +22,10 @@ struct Cost {
     bool ran = false;
 };
 
-// One run of `program -o OUT SCRIPT`, all it says thrown away.
+// One run of `program -o OUT SCRIPT`.
 Cost run(const std::string& program, const std::string& out, const std::string& script) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    std::string words[] = {program, "-o", out, script};
-    char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
-    pid_t child = 0;
-    const bool started = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ) == 0;
-    posix_spawn_file_actions_destroy(&actions);
-    rusage usage{};
-    int status = 0;
-    if (!started || wait4(child, &status, 0, &usage) != child || !WIFEXITED(status) || WEXITSTATUS(status) == 127) return {};
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-    return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_maxrss, true};
+    const ChildRun run = run_child({program, "-o", out, script}, "/dev/null", {0, 1});
+    return run.good ? Cost{run.cpu_s(), run.kilobytes, true} : Cost{};
 }
 
 void keep_least(Cost& best, const Cost& cost) {
@@ -64,12 +48,12 @@ int time_evaluation(const EvaluationOptions& options) {
     for (const auto& entry : fs::directory_iterator(options.scripts, ignored))
         if (entry.path().extension() == ".scad") scripts.push_back(entry.path());
     std::sort(scripts.begin(), scripts.end());
-    std::string folder = (fs::temp_directory_path(ignored) / "whittle-bench-XXXXXX").string();
-    if (scripts.empty() || !mkdtemp(folder.data())) {
+    const ScratchFolder folder;
+    if (scripts.empty() || folder.path().empty()) {
         fmt::print(stderr, "no scripts in '{}', or no folder for answers\n", options.scripts);
         return 3;
     }
-    const fs::path ours = fs::path(folder) / "ours.echo", theirs = fs::path(folder) / "theirs.echo";
+    const fs::path ours = fs::path(folder.path()) / "ours.echo", theirs = fs::path(folder.path()) / "theirs.echo";
     std::string lines = "script,whittle_s,openscad_s,ratio,whittle_kb,openscad_kb,same\n";
     double logs = 0;
     bool all_ran = true;
@@ -89,7 +73,6 @@ int time_evaluation(const EvaluationOptions& options) {
         lines += fmt::format("{},{},{},{},{},{},{}\n", script.stem().string(), whittle.seconds, openscad.seconds, ratio, whittle.kilobytes, openscad.kilobytes, same);
     }
     fmt::print("geometric mean x{:.1f}\n", std::exp(logs / static_cast<double>(scripts.size())));
-    fs::remove_all(folder, ignored);
     if (!options.csv.empty() && !(std::ofstream(options.csv) << lines)) return 3;
     if (!all_ran) fmt::print(stderr, "a program did not run: '{}', '{}'\n", options.whittle, options.openscad);
     return all_ran ? 0 : 3;

@@ -27,7 +27,9 @@ Result<BenchScene> file_scene(const std::string& path, bool faceted) {
     scene.box = program_bounds(**program);
     scene.centre = 0.5 * (scene.box.lo + scene.box.hi);
     scene.radius = 0.5 * glm::length(scene.box.hi - scene.box.lo);
+    scene.primitives = static_cast<double>(build_report(**program).leaves);
     scene.solid = std::move(canonical.solid);
+    scene.meshable = true;
     return scene;
 }
 

@@ -3,7 +3,7 @@
 
 namespace whittle::bench {
 
-std::vector<Subject> embree_subjects(const BenchScene&, Query, bool) { return {}; }
+std::vector<Subject> embree_subjects(const BenchScene&, const PeerMesh&, Query, bool) { return {}; }
 std::vector<std::vector<double>> embree_all_hits(const PeerMesh&, const std::vector<Ray>&) { return {}; }
 
 }  // namespace whittle::bench

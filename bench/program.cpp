@@ -2,55 +2,19 @@
 #include "bench/program.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
-extern char** environ;
+#include "bench/child.h"
 
 namespace whittle::bench {
 
 namespace {
-
-struct Run {
-    double wall_s = 0, cpu_s = 0;
-    bool good = false;
-};
-
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
-
-// One run with its output thrown away.
-Run run_once(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    for (const int stream : {1, 2}) posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-    Run run;
-    pid_t child = 0;
-    const auto begin = std::chrono::steady_clock::now();
-    const bool started = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&actions);
-    int status = 0;
-    rusage usage{};
-    if (!started || wait4(child, &status, 0, &usage) != child) return run;
-    run.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    run.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    run.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    return run;
-}
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -60,13 +24,13 @@ double median(std::vector<double> values) {
 bool time_row(const ProgramOptions& options, const char* what, const char* goal, const std::vector<std::string>& words) {
     std::vector<double> wall, cpu;
     for (int i = 0; i < options.rounds; ++i) {
-        const Run run = run_once(words);
+        const ChildRun run = run_child(words);
         if (!run.good) {
             fmt::print(stderr, "{}: '{}' failed\n", what, fmt::join(words, " "));
             return false;
         }
         wall.push_back(run.wall_s);
-        cpu.push_back(run.cpu_s);
+        cpu.push_back(run.cpu_s());
     }
     fmt::print("{:34} wall {:8.2f} ms  cpu {:8.2f} ms  goal {}\n", what, 1e3 * median(wall), 1e3 * median(cpu), goal);
     std::fflush(stdout);
@@ -84,7 +48,7 @@ double ray_us(const ProgramOptions& options, const std::string& scene, const std
     const std::string stats = (folder / "stats.json").string();
     std::vector<double> each;
     for (int i = 0; i < options.rounds; ++i) {
-        if (!run_once({options.program, "render", scene, "-o", (folder / "ray.png").string(), "--imgsize", "640,480", "--samples", "4", "--threads", "1", "--stats", stats}).good)
+        if (!run_child({options.program, "render", scene, "-o", (folder / "ray.png").string(), "--imgsize", "640,480", "--samples", "4", "--threads", "1", "--stats", stats}).good)
             return 0;
         std::ifstream in(stats);
         const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -114,15 +78,12 @@ bool time_all(const ProgramOptions& options, const std::filesystem::path& folder
 }  // namespace
 
 int time_program(const ProgramOptions& options) {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("whittle-bench-{}", getpid());
-    std::error_code fault;
-    if (!std::filesystem::create_directory(folder, fault)) {
-        fmt::print(stderr, "cannot make a folder for the pictures: {}\n", fault.message());
+    const ScratchFolder folder;
+    if (folder.path().empty()) {
+        fmt::print(stderr, "cannot make a folder for the pictures\n");
         return 3;
     }
-    const bool done = time_all(options, folder);
-    std::filesystem::remove_all(folder, fault);
-    return done ? 0 : 3;
+    return time_all(options, folder.path()) ? 0 : 3;
 }
 
 }  // namespace whittle::bench

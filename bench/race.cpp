@@ -55,16 +55,30 @@ double quantile(const std::vector<double>& sorted, double q) {
 
 }  // namespace
 
+double sum_of_some(const Subject& subject, const std::vector<Ray>& rays) {
+    std::vector<Answer> answers(kBatch);
+    Sum sum;
+    run(subject, rays, std::min<std::size_t>(8, rays.size() / kBatch), answers, sum);
+    return sum.checksum;
+}
+
 std::vector<Lap> race(const std::vector<Subject>& subjects, const std::vector<Ray>& rays, const RaceOptions& options) {
     std::vector<Answer> answers(kBatch);
     std::vector<std::size_t> strides;
-    for (const Subject& s : subjects) strides.push_back(stride_for(s, rays, options.seconds_a_round, answers));
+    for (const Subject& s : subjects) strides.push_back(s.own_round ? 1 : stride_for(s, rays, options.seconds_a_round, answers));
     for (const Subject& s : subjects)
         if (s.note) s.note();
     std::vector<std::vector<double>> speeds(subjects.size());
     std::vector<Sum> sums(subjects.size());
     for (int round = 0; round < options.rounds; ++round)
         for (std::size_t i = 0; i < subjects.size(); ++i) {
+            if (subjects[i].own_round) {
+                const OwnRound own = subjects[i].own_round();
+                sums[i].rays = static_cast<std::size_t>(own.rays);
+                sums[i].hits = static_cast<std::size_t>(subjects[i].hit_share * own.rays);
+                speeds[i].push_back(1e-6 * own.rays / own.seconds);
+                continue;
+            }
             const double seconds = run(subjects[i], rays, strides[i], answers, sums[i]);
             speeds[i].push_back(1e-6 * static_cast<double>(sums[i].rays) / seconds);
         }

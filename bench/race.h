@@ -22,6 +22,9 @@ struct RaceOptions {
     double seconds_a_round = 0.25;  // for one subject, about
 };
 
+// The sums of all answers to one batch of 8 (at least one), untimed: equal for subjects that should agree.
+double sum_of_some(const Subject& subject, const std::vector<Ray>& rays);
+
 // Requires: rays.size() is a multiple of kBatch.
 std::vector<Lap> race(const std::vector<Subject>& subjects, const std::vector<Ray>& rays, const RaceOptions& options);
 

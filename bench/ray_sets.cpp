@@ -8,10 +8,19 @@
 
 namespace whittle::bench {
 
+Lens camera_lens(const BenchScene& scene) {
+    Lens lens;
+    lens.forward = -glm::normalize(scene.from);
+    lens.right = glm::normalize(glm::cross(lens.forward, Vec3(0, 0, 1)));
+    lens.up = glm::cross(lens.right, lens.forward);
+    lens.eye = scene.centre - lens.forward * (scene.radius / sind(20));
+    lens.half_height = sind(10.5) / cosd(10.5);
+    return lens;
+}
+
 std::vector<Ray> camera_rays(const BenchScene& scene, int width, int height) {
-    const Vec3 forward = -glm::normalize(scene.from), right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))), up = glm::cross(right, forward);
-    const Vec3 eye = scene.centre - forward * (scene.radius / sind(20));
-    const double half = sind(10.5) / cosd(10.5);
+    const Lens lens = camera_lens(scene);
+    const double half = lens.half_height;
     std::vector<Ray> rays;
     rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int tile = 0; tile < (width / kTile) * (height / kTile); ++tile)
@@ -20,8 +29,8 @@ std::vector<Ray> camera_rays(const BenchScene& scene, int width, int height) {
             const int x = tile % (width / kTile) * kTile + block % 4 * 4 + in_block % 4, y = tile / (width / kTile) * kTile + block / 4 * 4 + in_block / 4;
             const double px = (x + 0.5 - 0.5 * width) / (0.5 * height) * half, py = (0.5 * height - y - 0.5) / (0.5 * height) * half;
             Ray ray;
-            ray.origin = eye;
-            ray.direction = glm::normalize(forward + px * right + py * up);
+            ray.origin = lens.eye;
+            ray.direction = glm::normalize(lens.forward + px * lens.right + py * lens.up);
             rays.push_back(ray);
         }
     return rays;

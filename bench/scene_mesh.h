@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bench/scenes.h"
@@ -14,7 +15,8 @@ struct PeerMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// S1, S2: the exact booleans of the modeler's mesher at a chord error of 1e-3 of the radius. S6: the faces of the cells. Empty for the others.
-PeerMesh peer_mesh(const BenchScene& scene);
+// Of a meshable scene: the exact booleans of the modeler's mesher, at `chord_error` or 1e-3 of the radius. Of a sponge up to level 4: the faces of its
+// cells. Of a mesh: itself. Of instances: their part's. Empty for the others.
+PeerMesh peer_mesh(const BenchScene& scene, std::optional<double> chord_error = std::nullopt);
 
 }  // namespace whittle::bench

@@ -1,9 +1,12 @@
 // scenes.h — the solids that rays are timed on, each the same on every machine: fixed seeds, numbers written here.
 //
 // S1 to S6 are those of the prototypes: a drilled box, a plate of counterbored holes, balls in a box less pins, a cloud of balls, a deep random
-// tree, a Menger sponge. Their cameras look at the origin from a distance at which the bounding ball fills the picture.
+// tree, a Menger sponge. Their cameras look at the origin from a distance at which the bounding ball fills the picture. Families go on from there by
+// a number in the name: menger2 ... menger5, plate25 ... plate10000 (holes), balls100 ... balls1000000, instances1000000 (of S1's part), mesh1000000 (triangles).
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,11 @@
 
 namespace whittle::bench {
 
+struct Ball {
+    Vec3 centre;
+    double radius;
+};
+
 struct BenchScene {
     std::string name, what;
     Solid solid;
@@ -19,21 +27,20 @@ struct BenchScene {
     double radius = 1.75;    // of the ball that the camera frames and incoherent rays start on
     Vec3 from{2.5, 1.8, 3.2};
     Vec3 centre{0};          // of that ball
+    double primitives = 1;   // uses of shapes; triangles of a mesh
+    // The same solid for peers with such things of their own; empty where it is none.
+    std::vector<Ball> balls;
+    std::shared_ptr<const FacetList> facets;
+    int sponge_level = 0;
+    std::shared_ptr<const BenchScene> part;  // all placements of it are the solid
+    std::vector<Placement> placements;
+    bool meshable = false;   // by the modeler, in reasonable time
 };
 
-// Names that make_scene() knows: S1 ... S6.
-const std::vector<std::string>& scene_names();
-// Requires: one of the names.
-BenchScene make_scene(const std::string& name);
+// Nothing for a name that stands for no scene.
+std::optional<BenchScene> make_scene(const std::string& name);
 
 // The solid of a .scad file, seen from OpenSCAD's first corner; `faceted`: with OpenSCAD's facets however many they are. Fails as reading the file does.
 Result<BenchScene> file_scene(const std::string& path, bool faceted);
-
-// Balls of a scene that is nothing but their union; empty for others. For peers that have balls of their own.
-struct Ball {
-    Vec3 centre;
-    double radius;
-};
-std::vector<Ball> balls_of(const std::string& name);
 
 }  // namespace whittle::bench

@@ -10,6 +10,7 @@
 #include "bench/scenes.h"
 #include "csg/base/result.h"
 #include "csg/span/ray.h"
+#include "tracer/engine/engine.h"
 
 namespace whittle::bench {
 
@@ -21,20 +22,32 @@ struct Answer {
     std::uint32_t surface = 0;
 };
 
+// A round of a subject that cannot be handed rays: a program that draws the picture of camera_rays().
+struct OwnRound {
+    double rays = 0, seconds = 0;
+};
+
 struct Subject {
     std::string name;
     // Answers rays[0, count) into answers[0, count); count <= kBatch.
     std::function<void(const Ray* rays, int count, Answer* answers)> run;
-    std::function<std::string()> note;  // about the work done since the last call; may be empty
+    std::function<std::string()> note{};  // about the work done since the last call; may be empty
+    std::function<OwnRound()> own_round{}; // instead of run, where it is set
+    double hit_share = 0;                  // of own rounds
 };
 
 enum class Query { kFirst, kAny, kSpans };
 
 // The engine's single rays; and its packets where the query has them.
-Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query);
+std::vector<Subject> whittle_subjects(std::shared_ptr<const Program> program, Query query);
 
-// Embree on the mesh of the scene (chord error 1e-3 of the radius), or on its own balls. Empty where there is no such mesh, or no Embree.
-std::vector<Subject> embree_subjects(const BenchScene& scene, Query query, bool coherent);
+// Embree on `mesh` (instances of it where the scene is that), or on its own balls. Empty where there is nothing of the kind, or no Embree.
+std::vector<Subject> embree_subjects(const BenchScene& scene, const PeerMesh& mesh, Query query, bool coherent);
+
+// POV-Ray 3.7 on the scene as `whittle -o x.pov` writes it, flat and in bounded groups, drawn without lights (+Q1) by one thread: user seconds of a picture
+// less those of one of 4 x 3 pixels, which is all reading. S2 also as bench/povray/s2.pov, by hand. Empty where there is no `povray`, and for scenes that
+// it cannot read in reasonable time. `folder` is for its files.
+std::vector<Subject> povray_subjects(const BenchScene& scene, const std::string& folder);
 
 // t of every triangle that Embree in robust mode reports along each ray, ascending, asked by going on just behind the last one. Empty where there is no Embree.
 std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std::vector<Ray>& rays);

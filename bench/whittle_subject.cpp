@@ -75,13 +75,11 @@ std::string work_done(Engine& e) {
 
 }  // namespace
 
-Result<std::vector<Subject>> whittle_subjects(const BenchScene& scene, Query query) {
-    auto program = compile(scene.solid);
-    if (!program) return tl::unexpected<Error>(program.error());
+std::vector<Subject> whittle_subjects(std::shared_ptr<const Program> program, Query query) {
     std::vector<Subject> subjects;
     const auto add = [&](const char* name, auto answer) {
         const auto engine = std::make_shared<Engine>();
-        engine->program = *program;
+        engine->program = program;
         engine->hits.resize(kBatch);
         engine->found = std::make_unique<bool[]>(kBatch);
         engine->far.assign(kBatch, HUGE_VAL);

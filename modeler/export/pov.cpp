@@ -40,7 +40,8 @@ std::string texture_of(const Surface& s) {
 
 class PovWriter {
 public:
-    PovWriter(const Solid& solid, const MeshOptions& mesh, PovFile& file) : solid_(solid), mesh_options_(mesh), file_(file), inner_faces_show_(is_see_through(solid)) {}
+    PovWriter(const Solid& solid, const MeshOptions& mesh, PovGroups groups, PovFile& file)
+        : solid_(solid), mesh_options_(mesh), groups_(groups), file_(file), inner_faces_show_(is_see_through(solid)) {}
 
     Result<void> write() {
         const auto root = object(solid_.root(), Material{}, false);
@@ -107,12 +108,46 @@ private:
 
     Result<std::string> combination(const Combination& c, const Material& material, bool cuts) {
         std::string out = c.operands.size() == 1 ? "object{" : opening_of(c.op);
+        std::vector<BoxedText> parts;
         for (std::size_t i = 0; i < c.operands.size(); ++i) {
             const auto operand = object(c.operands[i], material, c.op == SetOp::kDifference && i > 0 ? !cuts : cuts);
             if (!operand) return operand;
-            out += (i > 0 ? " " : "") + *operand;
+            const Use& use = c.operands[i];
+            parts.push_back({*operand, use_bounds(solid_.bounds(use.node), use, solid_.motion(use.motion))});
         }
+        const std::size_t alone = c.op == SetOp::kDifference ? 1 : c.op == SetOp::kIntersection ? parts.size() : 0;
+        for (std::size_t i = 0; i < std::min(alone, parts.size()); ++i) out += (i > 0 ? " " : "") + parts[i].text;
+        if (alone < parts.size()) out += (alone > 0 ? " " : "") + grouped(parts.data() + alone, parts.data() + parts.size(), false);
         return c.op == SetOp::kDifference && c.operands.size() > 1 ? out + " cutaway_textures" : out;
+    }
+
+    struct BoxedText {
+        std::string text;
+        Bounds box;
+    };
+
+    static Bounds box_around(const BoxedText* begin, const BoxedText* end) {
+        Bounds all = begin->box;
+        for (const BoxedText* part = begin; part != end; ++part) all = {glm::min(all.lo, part->box.lo), glm::max(all.hi, part->box.hi)};
+        return all;
+    }
+
+    // The parts one after the other; kBounded: halved along the longest side of their box until a group has few.
+    std::string grouped(BoxedText* begin, BoxedText* end, bool boxed) const {
+        constexpr std::ptrdiff_t kFew = 4;
+        const Bounds all = box_around(begin, end);
+        const Vec3 size = all.hi - all.lo;
+        const bool finite = std::isfinite(size.x) && std::isfinite(size.y) && std::isfinite(size.z);
+        std::string out;
+        if (groups_ == PovGroups::kFlat || end - begin <= kFew || !finite) {
+            for (const BoxedText* part = begin; part != end; ++part) out += (part != begin ? " " : "") + part->text;
+        } else {
+            const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+            BoxedText* middle = begin + (end - begin) / 2;
+            std::stable_sort(begin, end, [axis](const BoxedText& a, const BoxedText& b) { return a.box.lo[axis] + a.box.hi[axis] < b.box.lo[axis] + b.box.hi[axis]; });
+            out = grouped(begin, middle, true) + " " + grouped(middle, end, true);
+        }
+        return boxed ? opening_of(SetOp::kUnion) + out + " bounded_by{box{" + pov_vector(all.lo) + "," + pov_vector(all.hi) + "}}}" : out;
     }
 
     Result<std::string> leaf(NodeId node, const Shape& shape) {
@@ -178,6 +213,7 @@ private:
 
     const Solid& solid_;
     const MeshOptions& mesh_options_;
+    PovGroups groups_;
     PovFile& file_;
     bool inner_faces_show_;
     std::map<std::tuple<NodeId, std::size_t, bool>, std::string> names_;
@@ -237,12 +273,12 @@ std::string camera_text(const Lens& lens, double aspect) {
 
 }  // namespace
 
-Result<PovFile> pov_scene(const Solid& solid, const std::vector<Light>& lights, const Lens& lens, double aspect, const MeshOptions& mesh) {
+Result<PovFile> pov_scene(const Solid& solid, const std::vector<Light>& lights, const Lens& lens, double aspect, const MeshOptions& mesh, PovGroups groups) {
     PovFile file;
     const Bounds box = solid.root_bounds();
     file.text = "// Whittle: a scene for POV-Ray 3.7, lengths in millimetres; render with +W and +H of the camera's aspect.\n#version 3.7;\n";
     file.text += lamps_text(lights, lens, box.empty() ? Vec3(0) : (box.lo + box.hi) / 2.0) + camera_text(lens, aspect);
-    if (auto written = PovWriter(solid, mesh, file).write(); !written) return tl::unexpected(written.error());
+    if (auto written = PovWriter(solid, mesh, groups, file).write(); !written) return tl::unexpected(written.error());
     return file;
 }
 

@@ -22,7 +22,10 @@ struct PovFile {
     std::vector<std::string> warnings;
 };
 
+// kBounded: parts of large unions and differences stand in nested groups with bounding boxes, which POV-Ray does not make by itself inside a set operation.
+enum class PovGroups { kFlat, kBounded };
+
 // `lens` for a picture of that aspect (width / height). Errors: those of materials (kScene) and of meshes where one is needed.
-Result<PovFile> pov_scene(const Solid& solid, const std::vector<Light>& lights, const Lens& lens, double aspect, const MeshOptions& mesh);
+Result<PovFile> pov_scene(const Solid& solid, const std::vector<Light>& lights, const Lens& lens, double aspect, const MeshOptions& mesh, PovGroups groups = PovGroups::kFlat);
 
 }  // namespace whittle

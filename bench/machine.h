@@ -1,0 +1,14 @@
+// machine.h — where and of what a measurement is: printed above every table.
+#pragma once
+
+#include <string>
+
+namespace whittle::bench {
+
+// "AMD EPYC ..., 2 cores, load 1.2; commit abc1234".
+std::string about_this_run();
+
+// {"machine":..,"commit":..,"rows":[ROWS]}
+std::string json_of_run(const std::string& rows);
+
+}  // namespace whittle::bench
