@@ -185,7 +185,8 @@ private:
         return r;
     }
 
-    Folded fold(const Folded& f, const Bounds& box) {
+    // Here and below `f` is a copy: it often stands in the arena, which grows meanwhile.
+    Folded fold(const Folded f, const Bounds& box) {
         if (f.kind == Kind::kAnd) return fold_all(f, box);
         if (f.kind == Kind::kOr) return fold_any(f, box);
         if (f.kind != Kind::kLeaf) return f;
@@ -198,7 +199,7 @@ private:
         return r;
     }
 
-    Folded fold_all(const Folded& f, const Bounds& box) {
+    Folded fold_all(const Folded f, const Bounds& box) {
         std::vector<Folded> parts;
         Folded held;
         held.kind = Kind::kTrue;
@@ -227,7 +228,7 @@ private:
         return r;
     }
 
-    Folded fold_any(const Folded& f, const Bounds& box) {
+    Folded fold_any(const Folded f, const Bounds& box) {
         std::vector<Folded> parts;
         Folded whole;
         for (std::uint32_t i = 0; i < f.count; ++i) {
@@ -254,7 +255,7 @@ private:
     }
 
     // As fold_all() and fold_any(), but what may hold a place stays, even where it makes no difference to the shape.
-    Folded fold_labels(const Folded& f, const Bounds& box) {
+    Folded fold_labels(const Folded f, const Bounds& box) {
         if (f.kind != Kind::kAnd && f.kind != Kind::kOr) return fold(f, box);
         const bool all = f.kind == Kind::kAnd;
         std::vector<Folded> parts;

@@ -167,6 +167,33 @@ TEST_CASE("a tile's rays meet a union of many turned parts, whole and half behin
     CHECK(tally.in_packets > 5000);
 }
 
+TEST_CASE("a tile's rays meet a deep tree, cut up by an octree, as single rays do") {
+    SolidBuilder b;
+    Random random(5);
+    const auto use = [](NodeId node, const Placement& at) { return Use{node, kNoLabel, 0, at}; };
+    const auto tree = [&](const auto& self, int depth) -> NodeId {
+        if (depth == 9) {
+            const Ray r = random.ray_through({Vec3(-0.5), Vec3(0.5)});
+            const Vec3 at = r.origin + r.direction;
+            return b.combine(SetOp::kUnion, {use(b.shape(shape::Ellipsoid{Vec3(0.9 + 0.2 * at.x)}), Placement::translation(at))});
+        }
+        constexpr SetOp kOps[] = {SetOp::kUnion, SetOp::kDifference, SetOp::kIntersection};
+        const NodeId left = self(self, depth + 1), right = self(self, depth + 1);
+        return b.combine(kOps[depth % 3], {use(left, Placement()), use(right, Placement())});
+    };
+    const auto program = compiled(b.finish(use(tree(tree, 0), Placement())));
+    Tally tally;
+    for (int i = 0; i < 40; ++i) {
+        Ray ray = random.ray_through({Vec3(-0.6), Vec3(0.6)});
+        ray.origin *= 4 / glm::length(ray.origin);
+        ray.direction = glm::normalize(-ray.origin);
+        INFO(to_text(ray));
+        CHECK(differing(*program, tile_around(ray, 256, 4e-3), HUGE_VAL, tally) == 0);
+    }
+    CHECK(tally.hits > 1000);
+    CHECK(tally.in_packets > 5000);
+}
+
 TEST_CASE("shadow rays in packets are blocked where single rays are, on every instruction set") {
     const std::uint64_t seed = Catch::rngSeed() == 0 ? 1 : Catch::rngSeed();
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
