@@ -2,18 +2,22 @@
 //
 //     whittle-bench stability [--rays 2000] [--csv FILE] [--cases DIR]
 //     whittle-bench rays [--scenes S1,balls1000] [--files part.scad] [--twins] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
+//     whittle-bench scaling [--families balls100,balls10000] [--threads S1,S3] [--rounds 7] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
 //     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samples 64] [--csv FILE] [--svg FILE]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
+#include <sstream>
+
 #include <CLI/CLI.hpp>
 
 #include "bench/evaluation.h"
 #include "bench/light.h"
 #include "bench/program.h"
 #include "bench/rays.h"
+#include "bench/scaling.h"
 #include "bench/stability.h"
 #include "tracer/light/render.h"
 
@@ -22,11 +26,10 @@ using namespace whittle::bench;
 
 int main(int argc, char** argv) {
     CLI::App app{"Times the engine against its peers."};
+    const auto scene_name = [](const std::string& name) { return is_scene(name) ? std::string() : "no scene is called " + name; };
     RaysOptions choice;
     CLI::App* rays = app.add_subcommand("rays", "rays through solids");
-    rays->add_option("--scenes", choice.scenes, "S1 ... S6, menger2 ... menger5, plate25 ..., balls100 ..., instances1000 ..., mesh1000 ...")->delimiter(',')->check([](const std::string& name) {
-        return make_scene(name) ? std::string() : "no scene is called " + name;
-    });
+    rays->add_option("--scenes", choice.scenes, "S1 ... S6, menger2 ... menger5, plate25 ..., balls100 ..., instances1000 ..., mesh1000 ...")->delimiter(',')->check(scene_name);
     rays->add_option("--files", choice.files, "scene files instead")->delimiter(',')->check(CLI::ExistingFile);
     rays->add_flag("--twins", choice.twins, "files: true curves and OpenSCAD's facets");
     rays->add_flag("--faceted", choice.faceted, "files: OpenSCAD's facets instead of true curves");
@@ -37,6 +40,18 @@ int main(int argc, char** argv) {
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");
     rays->add_option("--json", choice.json, "and here, as JSON");
+    ScalingOptions scaling;
+    CLI::App* growth = app.add_subcommand("scaling", "compile time, bytes and time a ray by the number of primitives; two threads against two processes");
+    growth->add_option("--families", scaling.families, "each a list of scenes, the smallest first")->check([](const std::string& names) {
+        std::stringstream list(names);
+        for (std::string name; std::getline(list, name, ',');)
+            if (!is_scene(name)) return "no scene is called " + name;
+        return std::string();
+    });
+    growth->add_option("--threads", scaling.threads, "scenes for two threads")->delimiter(',')->check(scene_name);
+    growth->add_option("--rounds", scaling.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
+    growth->add_option("--seconds", scaling.seconds, "of one subject in a round, about")->check(CLI::PositiveNumber);
+    growth->add_option("--csv", scaling.csv, "also write the rows here");
     StabilityOptions stability;
     CLI::App* stable = app.add_subcommand("stability", "answers against binary128 by scale, distance, thickness, angle, depth and stretch");
     stable->add_option("--rays", stability.rays, "of a row")->check(CLI::Range(1, 10'000'000));
@@ -67,6 +82,7 @@ int main(int argc, char** argv) {
     pictures->add_option("--svg", light.svg, "draw time against error here");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
+    if (growth->parsed()) return measure_scaling(scaling);
     if (program->parsed()) return time_program(whole);
     if (pictures->parsed()) return time_light(light);
     if (scripts->parsed()) return time_evaluation(evaluation);

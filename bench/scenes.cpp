@@ -94,6 +94,14 @@ const std::vector<Family>& families() {
 
 }  // namespace
 
+bool is_scene(const std::string& name) {
+    if (name.size() == 2 && name[0] == 'S' && name[1] >= '1' && name[1] <= '6') return true;
+    return std::any_of(families().begin(), families().end(), [&](const Family& f) {
+        const int count = name.rfind(f.letters, 0) == 0 ? number_in(name, f.letters.size()) : 0;
+        return count >= f.least && count <= f.most;
+    });
+}
+
 std::optional<BenchScene> make_scene(const std::string& name) {
     const Bounds unit{Vec3(-1), Vec3(1)};
     BenchScene scene;
