@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kNames[] = {
     "rays.camera", "rays.shadow", "rays.reflection", "rays.refraction", "rays.diffuse", "photons", "media_stack", "normals", "wavelengths",
-    "solids.in_scene", "solids.kept", "solids.distinct", "primitives.tests", "spans.evaluated", "spans.escalated.double_double",
+    "solids.in_scene", "solids.kept", "solids.distinct", "primitives.tests", "primitives.folded", "spans.evaluated", "spans.escalated.double_double",
     "spans.escalated.exact", "spans.uncertified", "snap.fused", "snap.largest", "reading.largest_displacement", "mesh.booleans", "mesh.fallback",
     "loaded.cgal", "loaded.image", "loaded.font", "seconds.parse", "seconds.evaluate", "seconds.compile", "seconds.render", "seconds.mesh", "bytes.peak"};
 
@@ -36,6 +36,8 @@ void Stats::add(const EngineCounters& counters) {
     add("spans.escalated.double_double", static_cast<double>(counters.escalated_double_double));
     add("spans.escalated.exact", static_cast<double>(counters.escalated_exact));
     add("spans.uncertified", static_cast<double>(counters.uncertified));
+    add("primitives.folded", static_cast<double>(counters.folded));
+    for (std::size_t i = 0; i < kEnginePasses; ++i) add(std::string("skip.") + name_of(static_cast<EnginePass>(i)), static_cast<double>(counters.skipped[i]));
 }
 
 void Stats::set(const BuildReport& report) {

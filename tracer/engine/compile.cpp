@@ -57,7 +57,9 @@ bool is_outside_of_its_support(Vec2 a, Vec2 b) { return a.x == b.x ? b.y < a.y :
 
 class Compiler {
 public:
-    Compiler(Formula formula, bool snap) : formula_(std::move(formula)), classes_(find_classes(formula_.table, snap)) {}
+    Compiler(Formula formula, const EngineOptions& options) : formula_(std::move(formula)), classes_(find_classes(formula_.table, options.snap)) {
+        program_.passes = passes_made(options.disabled_passes);
+    }
 
     std::shared_ptr<const Program> run() {
         program_.uses = std::move(formula_.uses);
@@ -82,7 +84,7 @@ public:
         program_.classes = std::move(classes_.supports);
         program_.frames = std::move(formula_.table.frames);
         describe_for_packets(program_);
-        divide_space(program_);
+        if (program_.makes(EnginePass::kCells)) divide_space(program_);
         return std::make_shared<const Program>(std::move(program_));
     }
 
@@ -157,7 +159,7 @@ private:
             (boxed ? items : plain).push_back(ref);
             if (boxed) boxes.push_back(grown(c.box));
         }
-        if (items.size() <= kFewItems) {
+        if (items.size() <= kFewItems || !program_.makes(EnginePass::kHierarchy)) {
             plain.insert(plain.end(), items.begin(), items.end());
             items.clear();
         }
@@ -234,22 +236,11 @@ private:
 Result<std::shared_ptr<const Program>> compile(const Solid& solid, const EngineOptions& options) {
     Result<Formula> formula = lower(solid);
     if (!formula) return tl::unexpected<Error>(formula.error());
-    return Compiler(std::move(*formula), options.snap).run();
+    return Compiler(std::move(*formula), options).run();
 }
 
 const BuildReport& build_report(const Program& program) { return program.report; }
 const std::vector<LeafUse>& leaf_uses(const Program& program) { return program.uses; }
 Bounds program_bounds(const Program& program) { return program.bounds; }
-
-EngineCounters& EngineCounters::operator+=(const EngineCounters& o) {
-    primitive_tests += o.primitive_tests;
-    spans_evaluated += o.spans_evaluated;
-    escalated_double_double += o.escalated_double_double;
-    escalated_exact += o.escalated_exact;
-    uncertified += o.uncertified;
-    packet_rays += o.packet_rays;
-    packet_deferred += o.packet_deferred;
-    return *this;
-}
 
 }  // namespace whittle

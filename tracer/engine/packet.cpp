@@ -7,6 +7,7 @@
 #include "tracer/engine/packet.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tracer/engine/gradient.h"
 #include "tracer/engine/scratch.h"
@@ -45,6 +46,19 @@ bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileExtremes& 
     return HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded, extremes) && extremes.least_square > 0;
 }
 
+void take_work(TileMemory& m, EngineCounters& counters) {
+    for (TileTree* tree : {&m.tree, &m.labels}) {
+        const TileWork work = std::exchange(tree->work, {});
+        counters.primitive_tests += work.tests;
+        counters.folded += work.folded;
+        counters.skipped_by(EnginePass::kFrustum) += work.pruned;
+        counters.skipped_by(EnginePass::kWindows) += work.beyond;
+        counters.skipped_by(EnginePass::kOcclusion) += work.hidden;
+        counters.skipped_by(EnginePass::kMasks) += work.masked;
+        counters.skipped_by(EnginePass::kCells) += work.constant;
+    }
+}
+
 void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
     const auto id = static_cast<ClassId>(m.id[k] >> 1);
     hit.end.t = std::max(m.t[k], 0.0);
@@ -67,7 +81,8 @@ void hits_alone(const Program& program, const Ray* rays, int count, double t_max
 void hits_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits,
                      bool* found) {
     TileMemory& m = scratch.impl->tile;
-    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, bounds.coherent, shared);
+    HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, bounds.coherent, shared);
+    take_work(m, scratch.counters);
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (m.deferred[k] || rays[i].departure != nullptr) {
@@ -76,6 +91,7 @@ void hits_of_packets(const Program& program, const TileBounds& bounds, bool shar
             continue;
         }
         ++scratch.counters.packet_rays;
+        ++scratch.counters.skipped_by(EnginePass::kFirst);
         found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
         if (found[i]) make_hit(m, k, rays[i], hits[i]);
     }
@@ -136,8 +152,9 @@ void any_of_packets(const Program& program, const TileBounds& bounds, bool share
         m.t[k] = alone[k] ? -HUGE_VAL : t_max[ray];
     }
     m.any = true;
-    scratch.counters.primitive_tests += HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
+    HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
     m.any = false;
+    take_work(m, scratch.counters);
     for (std::size_t k = 0; k < n; ++k) {
         blocked[k] = m.t[k] == -HUGE_VAL;
         // Blocked is blocked, whatever else was close.
@@ -146,6 +163,7 @@ void any_of_packets(const Program& program, const TileBounds& bounds, bool share
             blocked[k] = any_hit(program, rays[k], t_max[k], scratch);
         } else {
             ++scratch.counters.packet_rays;
+            ++scratch.counters.skipped_by(EnginePass::kAny);
         }
     }
 }
@@ -172,6 +190,16 @@ void any_of_tile(const Program& program, const Ray* rays, const double* t_max, i
     }
 }
 
+// With borders and normals that nobody asked for.
+void any_of_first(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+    std::vector<Hit> hits(static_cast<std::size_t>(count));
+    first_hits(program, rays, count, HUGE_VAL, scratch, hits.data(), blocked);
+    for (int i = 0; i < count; ++i) {
+        const Hit& hit = hits[static_cast<std::size_t>(i)];
+        blocked[i] = hit.from_inside || (blocked[i] && hit.end.t < t_max[i]);
+    }
+}
+
 }  // namespace
 
 void any_hits(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
@@ -179,6 +207,8 @@ void any_hits(const Program& program, const Ray* rays, const double* t_max, int 
         std::fill(blocked, blocked + count, program.everything);
         return;
     }
+    if (!program.makes(EnginePass::kAny)) return any_of_first(program, rays, t_max, count, scratch, blocked);
+    if (!program.makes(EnginePass::kFilter)) return any_alone(program, rays, t_max, count, scratch, blocked);
     for (int i = 0; i < count; i += kTileRays) any_of_tile(program, rays + i, t_max + i, std::min(count - i, kTileRays), scratch, blocked + i);
 }
 
@@ -187,6 +217,8 @@ void first_hits(const Program& program, const Ray* rays, int count, double t_max
         std::fill(found, found + count, false);
         return;
     }
+    // Packets are made of these passes.
+    if (!program.makes(EnginePass::kFirst) || !program.makes(EnginePass::kFilter)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
     for (int i = 0; i < count; i += kTileRays) hits_of_tile(program, rays + i, std::min(count - i, kTileRays), t_max, scratch, hits + i, found + i);
 }
 

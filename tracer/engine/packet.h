@@ -21,6 +21,11 @@ struct PacketMask {
     bool has(std::size_t i) const { return ((words[i / 64] >> (i % 64)) & 1) != 0; }
     // Requires: `n` <= 8 divides 64, `at` is a multiple of it.
     void put(std::size_t at, std::size_t n, std::uint64_t bits) { words[at / 64] |= (bits & ((std::uint64_t{1} << n) - 1)) << (at % 64); }
+    std::size_t count() const {
+        std::size_t n = 0;
+        for (const std::uint64_t w : words) n += static_cast<std::size_t>(__builtin_popcountll(w));
+        return n;
+    }
     // Drops the numbers from `n` on.
     void keep(std::size_t n) {
         for (std::size_t w = 0; w < words.size(); ++w)

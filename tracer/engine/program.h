@@ -98,6 +98,9 @@ struct SpaceNode {
 
 class Program {
 public:
+    std::array<bool, kEnginePasses> passes{};
+    bool makes(EnginePass pass) const { return passes[static_cast<std::size_t>(pass)]; }
+
     std::vector<Frame> frames;
     std::vector<MotionGroup> motions;
     std::vector<Support> classes;
@@ -123,5 +126,7 @@ public:
     Bounds bounds;
     BuildReport report;
 };
+
+std::array<bool, kEnginePasses> passes_made(const std::vector<std::string>& disabled);
 
 }  // namespace whittle

@@ -39,29 +39,74 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
     return held != kNone ? held : first;
 }
 
-End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, const Event& e, bool entering) {
+// Of the events that make a border at one place the first by class stands for it, however they were found.
+Event border_of(const std::vector<Walker::Cause>& causes, const Event& e) {
+    const Event* first = nullptr;
+    for (const Walker::Cause& c : causes)
+        if (!first || c.event.id < first->id || (c.event.id == first->id && c.event.index < first->index)) first = &c.event;
+    Event border = first ? *first : e;
+    border.before = false;
+    return border;
+}
+
+// The border at `e`, which becomes the event that stands for it; its causes are left in `impl`.
+End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event& e, bool entering) {
     impl.causes.clear();
-    Event at = e;
-    at.before = false;
-    impl.walker.causes(program.root, at, impl.causes);
-    if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(at, impl.causes);
+    e.before = false;
+    impl.walker.causes(program.root, e, impl.causes);
+    if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(e, impl.causes);
+    e = border_of(impl.causes, e);
     End end;
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
-    end.surface = impl.causes.empty() ? e.id : impl.causes.front().id;
-    for (const Walker::Cause& c : impl.causes)
-        if (c.id == e.id) end.surface = e.id;
+    end.surface = e.id;
     for (const Walker::Cause& c : impl.causes) {
         const Leaf& leaf = program.leaves[c.leaf];
         if (leaf.kind == FormulaKind::kMesh && !program.meshes[leaf.first].exact) end.certified = false;
     }
     if (!end.certified) ++impl.walker.context().counters().uncertified;
-    end.use = shown_use(program, impl.walker, impl.causes, at, entering);
+    end.use = shown_use(program, impl.walker, impl.causes, e, entering);
     const Support& support = program.classes[end.surface];
     end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point_at(ray, e.t));
     const double along = glm::dot(end.normal, ray.direction);
     if ((along > 0) == entering) end.normal = -end.normal;
     return end;
+}
+
+// The classes that make a border: in order, the first of them if there are many.
+Departure departure_from(const std::vector<Walker::Cause>& causes) {
+    Departure d;
+    for (const Walker::Cause& c : causes) {
+        const auto end = d.classes.begin() + d.count, at = std::lower_bound(d.classes.begin(), end, c.event.id);
+        if (at == d.classes.end() || (at != end && *at == c.event.id)) continue;
+        if (d.count < static_cast<int>(d.classes.size())) ++d.count;
+        std::copy_backward(at, d.classes.begin() + d.count - 1, d.classes.begin() + d.count);
+        *at = c.event.id;
+    }
+    return d;
+}
+
+Found first_event(const Program& program, Walker& walker, const Event& start, bool& from_inside, Event& e) {
+    Found found = walker.next(program.root, start, true, e);
+    // Inside up to an exit at t = 0 is outside: the walk begins behind it.
+    if (found == Found::kHere && start.before) found = walker.next(program.root, origin(false), true, e);
+    from_inside = found == Found::kHere;
+    return from_inside ? walker.next(program.root, origin(false), false, e) : found;
+}
+
+// The same among all borders of the ray.
+Found first_of_all(const Program& program, Walker& walker, const Event& start, bool& from_inside, Event& e) {
+    const Walker::Changes changes = walker.all_changes(program.root);
+    bool inside = changes.initial;
+    std::uint32_t i = 0;
+    for (; i < changes.count; ++i) {
+        e = walker.change(changes.first + i);
+        const int where = walker.context().compare(e, origin(false));
+        if (where > 0 || (where == 0 && start.before && !inside)) break;
+        inside = !inside;
+    }
+    from_inside = inside;
+    return i < changes.count ? Found::kLater : Found::kNever;
 }
 
 }  // namespace
@@ -72,33 +117,30 @@ bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& sc
     ++scratch.counters.spans_evaluated;
     impl.walker.start(program, ray, scratch.counters, t_max);
     const Event start = origin(ray.departure == nullptr);
+    const bool first_only = program.makes(EnginePass::kFirst);
+    if (first_only) ++scratch.counters.skipped_by(EnginePass::kFirst);
     Event e;
-    Found found = impl.walker.next(program.root, start, true, e);
-    // Inside up to an exit at t = 0 is outside: the walk begins behind it.
-    if (found == Found::kHere && start.before) found = impl.walker.next(program.root, origin(false), true, e);
-    hit.from_inside = found == Found::kHere;
-    if (hit.from_inside) found = impl.walker.next(program.root, origin(false), false, e);
+    const Found found = (first_only ? first_event : first_of_all)(program, impl.walker, start, hit.from_inside, e);
     if (found != Found::kLater || e.t > t_max) return false;
     hit.end = make_end(program, impl, ray, e, !hit.from_inside);
     hit.point = point_at(ray, e.t);
-    hit.departure.count = 0;
-    for (const Walker::Cause& c : impl.causes) {
-        const auto used = hit.departure.classes.begin() + hit.departure.count;
-        if (hit.departure.count < static_cast<int>(hit.departure.classes.size()) && std::find(hit.departure.classes.begin(), used, c.id) == used)
-            hit.departure.classes[static_cast<std::size_t>(hit.departure.count++)] = c.id;
-    }
+    hit.departure = departure_from(impl.causes);
     return true;
 }
 
 bool any_hit(const Program& program, const Ray& ray, double t_max, Scratch& scratch) {
     if (program.empty) return false;
     if (program.everything) return true;
+    if (!program.makes(EnginePass::kAny)) {
+        Hit hit;
+        const bool found = first_hit(program, ray, t_max, scratch, hit);
+        return hit.from_inside || (found && hit.end.t < t_max);
+    }
     Walker& walker = scratch.impl->walker;
     ++scratch.counters.spans_evaluated;
+    ++scratch.counters.skipped_by(EnginePass::kAny);
     walker.start(program, ray, scratch.counters, t_max);
-    Event e;
-    const Found found = walker.next(program.root, origin(false), true, e);
-    return found == Found::kHere || (found == Found::kLater && e.t < t_max);
+    return walker.meets(program.root, origin(false));
 }
 
 void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& spans) {
@@ -132,7 +174,7 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
     };
     bool started = false;
     for (std::uint32_t i = 0; i < changes.count; ++i) {
-        const Event e = walker.change(changes.first + i);
+        Event e = walker.change(changes.first + i);
         const int where = walker.context().compare(e, origin(false));
         if (where < 0 || (where == 0 && ray.departure != nullptr)) {
             inside = !inside;

@@ -22,6 +22,7 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
         ray_.departure = nullptr;
     }
     counters_ = &counters;
+    filter_ = program.makes(EnginePass::kFilter);
     exact_.clear();
     root_ = ray_in_frame(program.frames[0], ray_);
     slab_ = slab_ray(root_.o, root_.d);

@@ -44,9 +44,11 @@ public:
     }
     // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
     int compare(const Event& a, const Event& b) {
+        if (!filter_ && std::isfinite(a.t) && std::isfinite(b.t)) return compare_closely(a, b);
         const double d = a.t - b.t, room = mutated(Mutation::kRayEpsilon) ? 1e-12 : a.error + b.error;
-        if (d > room) return 1;
-        if (d < -room) return -1;
+        const int order = (d > room) - (d < -room);
+        counters_->skipped_by(EnginePass::kFilter) += order != 0 && filter_;
+        if (order != 0) return order;
         if (mutated(Mutation::kRayEpsilon) && std::abs(d) <= 1e-12 && a.id != b.id) return 0;
         return compare_closely(a, b);
     }
@@ -72,6 +74,7 @@ private:
     Ray ray_;
     FrameRay root_;
     SlabRay slab_;
+    bool filter_ = true;             // EnginePass
     std::array<bool, 3> regular_{};  // the direction's coordinate has a finite, normal inverse
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> frame_stamps_;

@@ -50,6 +50,10 @@ TileBounds tile_bounds(const TileExtremes& extremes) {
 }
 
 bool TileBounds::meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const {
+    if (!culls) {
+        near = 0, far = HUGE_VAL;
+        return true;
+    }
     if (rays_meet) return rays_meet(rays, lo, hi, near, far);
     const double ahead_lo = backward ? o_lo[axis] - hi[axis] : lo[axis] - o_hi[axis];
     const double ahead_hi = backward ? o_hi[axis] - lo[axis] : hi[axis] - o_lo[axis];
@@ -119,7 +123,7 @@ bool meets_turned(const Program& program, const TileBounds& bounds, const Leaf& 
     if (leaf.kind != FormulaKind::kCell || leaf.count == 0) return true;
     const FrameId id = program.classes[program.half_spaces[leaf.first].id()].frame;
     const Frame& frame = program.frames[id];
-    if (id == 0 || frame.motion != 0 || bounds.rays_meet) return true;
+    if (id == 0 || frame.motion != 0 || bounds.rays_meet || !bounds.culls) return true;
     std::array<double, 3> lo, hi;
     local_box(program, leaf, id, lo, hi);
     const TileBounds local = tile_bounds(in_frame(bounds.extremes, frame));
@@ -197,7 +201,14 @@ TileCell TileTree::cell_of(const Program& program, std::uint32_t leaf, bool& met
 bool TileTree::beyond(double near) {
     const bool is = near > window;
     clipped = clipped || is;
+    work.beyond += is ? 1 : 0;
     return is;
+}
+
+bool TileTree::meets(const TileBounds& bounds, const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) {
+    const bool met = bounds.meets(lo, hi, near, far);
+    work.pruned += met ? 0 : 1;
+    return met;
 }
 
 std::uint32_t TileTree::add(const Program& program, const TileBounds& bounds, Ref ref) {
@@ -208,8 +219,9 @@ std::uint32_t TileTree::add_leaf(const Program& program, const TileBounds& bound
     const Leaf& leaf = program.leaves[index];
     const FloatBox& box = program.leaf_boxes[index];
     TileNode n;
-    bool met = bounds.meets(widened(box.lo), widened(box.hi), n.near, n.far) && meets_turned(program, bounds, leaf, n.near, n.far);
+    bool met = meets(bounds, widened(box.lo), widened(box.hi), n.near, n.far) && meets_turned(program, bounds, leaf, n.near, n.far);
     if (met && beyond(n.near)) met = false;
+    work.folded += met ? 1 : 0;
     const TileCell cell = met ? cell_of(program, index, met, n.near, n.far) : TileCell();
     if (!met || beyond(n.near)) return leaf.negated ? kTrue : kFalse;
     n.negated = n.outside = leaf.negated;
@@ -234,7 +246,7 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
     const std::uint32_t neutral = g.is_and ? kTrue : kFalse, absorbing = g.is_and ? kFalse : kTrue;
     if (g.bounded) {
         const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
-        if (!bounds.meets(lo, hi, n.near, n.far) || beyond(n.near)) return g.outside_value ? kTrue : kFalse;
+        if (!meets(bounds, lo, hi, n.near, n.far) || beyond(n.near)) return g.outside_value ? kTrue : kFalse;
     }
     const std::size_t first = pending_.size();
     bool open = true;
@@ -254,7 +266,7 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
         while (open && top > 0) {
             const BoxNode& node = program.nodes[stack[--top]];
             double near = 0, far = 0;
-            if (!bounds.meets(widened(node.lo), widened(node.hi), near, far) || beyond(near)) continue;
+            if (!meets(bounds, widened(node.lo), widened(node.hi), near, far) || beyond(near)) continue;
             if (node.count == 0) {
                 stack[top++] = node.first + 1;
                 stack[top++] = node.first;

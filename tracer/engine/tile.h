@@ -22,6 +22,7 @@ struct TileExtremes {
 // Bounds of a tile's rays. Built from extremes of origins and directions; every result errs outward.
 struct TileBounds {
     bool coherent = false;  // else nothing below holds
+    bool culls = true;      // false: meets() is always true
     std::size_t axis = 0;
     bool backward = false;
     std::array<double, 3> o_lo, o_hi;
@@ -38,6 +39,17 @@ struct TileBounds {
 };
 
 TileBounds tile_bounds(const TileExtremes& extremes);
+// Work done on tiles since it was last taken.
+struct TileWork {
+    std::uint64_t tests = 0;     // cells met, times lanes
+    std::uint64_t folded = 0;    // leaves of trees
+    std::uint64_t pruned = 0;    // subtrees that the tile misses
+    std::uint64_t beyond = 0;    // subtrees behind the window
+    std::uint64_t hidden = 0;    // parts behind what all rays, or a packet's, have met
+    std::uint64_t masked = 0;    // packets that cannot meet a part
+    std::uint64_t constant = 0;  // leaves of which a cell of the octree knows
+};
+
 // Requires: finite bounds of the program.
 TileScope tile_scope(const TileExtremes& extremes, const Bounds& bounds);
 
@@ -80,6 +92,7 @@ struct TileTree {
     bool holder_lost = false;            // what holds a place may have been folded away
     double window = HUGE_VAL;            // what begins behind it is left out:
     bool clipped = false;                // something was
+    TileWork work;
 
     // Cells folded for an older scope are forgotten.
     void begin(const Program& program, const TileScope& scope);
@@ -91,6 +104,7 @@ struct TileTree {
 
 private:
     bool beyond(double near);
+    bool meets(const TileBounds& bounds, const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far);
     std::uint32_t add(const Program& program, const TileBounds& bounds, Ref ref);
     std::uint32_t add_leaf(const Program& program, const TileBounds& bounds, std::uint32_t leaf);
     std::uint32_t add_group(const Program& program, const TileBounds& bounds, const Group& g);

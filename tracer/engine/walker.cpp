@@ -8,6 +8,8 @@ namespace whittle {
 void Walker::start(const Program& program, const Ray& ray, EngineCounters& counters, double far) {
     context_.start(program, ray, counters);
     far_ = far;
+    boxes_ = program.makes(EnginePass::kBoxes);
+    occlusion_ = program.makes(EnginePass::kOcclusion);
     if (slots_.size() != program.leaves.size()) {
         slots_.assign(program.leaves.size(), Slot());
         stamp_ = 0;
@@ -53,16 +55,74 @@ Found Walker::next_in_leaf(std::uint32_t index, const Event& cursor, bool want, 
     return state == want ? Found::kHere : Found::kNever;
 }
 
+// Is the group constant from `begin` on as far as the ray goes, because the ray misses its box?
+bool Walker::misses(const Group& g, double begin) {
+    if (!g.bounded || !boxes_) return false;
+    double from = 0, to = 0;
+    const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
+    const bool missed = !slab_interval(lo, hi, context_.slab(), from, to) || to < begin || from > far_;
+    if (missed) ++context_.counters().skipped_by(EnginePass::kBoxes);
+    return missed;
+}
+
 Found Walker::next(Ref ref, const Event& cursor, bool want, Event& out) {
     if (ref.is_leaf()) return next_in_leaf(ref.index(), cursor, want, out);
     const Group& g = context_.program().groups[ref.index()];
-    if (g.bounded) {
-        double from = 0, to = 0;
-        const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
-        if (!slab_interval(lo, hi, context_.slab(), from, to) || to < cursor.t - cursor.error || from > far_)
-            return want == g.outside_value ? Found::kHere : Found::kNever;
-    }
+    if (misses(g, cursor.t - cursor.error)) return want == g.outside_value ? Found::kHere : Found::kNever;
     return g.is_and == want ? next_of_all(g, cursor, want, out) : next_of_any(g, cursor, want, out);
+}
+
+// Visits the items of the hierarchy whose boxes the ray meets between `begin` and `end`, which may shrink meanwhile, nearest first by their boxes.
+// True: take(ref) was, and ended it.
+template <class Take>
+bool Walker::each_ahead(const Group& g, double begin, const double& end, Take take) {
+    if (g.item_count == 0) return false;
+    const Program& program = context_.program();
+    EngineCounters& counters = context_.counters();
+    std::uint32_t taken = 0;
+    struct Entry {
+        std::uint32_t node;
+        double from;
+    };
+    std::array<Entry, 128> stack;
+    std::size_t top = 0;
+    double from = 0, to = 0;
+    const auto enters = [&](std::uint32_t n) {
+        if (!slab_interval(program.nodes[n].lo, program.nodes[n].hi, context_.slab(), from, to) || to < begin) return false;
+        if (from <= end || !occlusion_) return true;
+        ++counters.skipped_by(EnginePass::kOcclusion);
+        return false;
+    };
+    if (enters(g.hierarchy)) stack[top++] = {g.hierarchy, from};
+    while (top > 0) {
+        const Entry entry = stack[--top];
+        if (entry.from > end && occlusion_) {
+            ++counters.skipped_by(EnginePass::kOcclusion);
+            continue;
+        }
+        const BoxNode& node = program.nodes[entry.node];
+        if (node.count > 0) {
+            taken += node.count;
+            for (std::uint32_t i = 0; i < node.count; ++i)
+                if (take(program.refs[node.first + i])) return true;
+            continue;
+        }
+        const bool left = enters(node.first);
+        const double from_left = from;
+        const bool right = enters(node.first + 1);
+        const double from_right = from;
+        if (left && right) {
+            const bool left_first = from_left <= from_right;
+            stack[top++] = left_first ? Entry{node.first + 1, from_right} : Entry{node.first, from_left};
+            stack[top++] = left_first ? Entry{node.first, from_left} : Entry{node.first + 1, from_right};
+        } else if (left) {
+            stack[top++] = {node.first, from_left};
+        } else if (right) {
+            stack[top++] = {node.first + 1, from_right};
+        }
+    }
+    counters.skipped_by(EnginePass::kHierarchy) += g.item_count - taken;
+    return false;
 }
 
 Found Walker::next_of_any(const Group& g, const Event& cursor, bool want, Event& out) {
@@ -81,68 +141,59 @@ Found Walker::next_of_any(const Group& g, const Event& cursor, bool want, Event&
     };
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
         if (take(program.refs[g.first_plain + i])) return Found::kHere;
-    if (g.item_count > 0) {
-        struct Entry {
-            std::uint32_t node;
-            double from;
-        };
-        std::array<Entry, 128> stack;
-        std::size_t top = 0;
-        const double begin = cursor.t - cursor.error;
-        double from = 0, to = 0;
-        const auto enters = [&](std::uint32_t n) {
-            return slab_interval(program.nodes[n].lo, program.nodes[n].hi, context_.slab(), from, to) && to >= begin && from <= best;
-        };
-        if (enters(g.hierarchy)) stack[top++] = {g.hierarchy, from};
-        while (top > 0) {
-            const Entry entry = stack[--top];
-            if (entry.from > best) continue;
-            const BoxNode& node = program.nodes[entry.node];
-            if (node.count > 0) {
-                for (std::uint32_t i = 0; i < node.count; ++i)
-                    if (take(program.refs[node.first + i])) return Found::kHere;
-                continue;
-            }
-            const bool left = enters(node.first);
-            const double from_left = from;
-            const bool right = enters(node.first + 1);
-            const double from_right = from;
-            if (left && right) {
-                const bool left_first = from_left <= from_right;
-                stack[top++] = left_first ? Entry{node.first + 1, from_right} : Entry{node.first, from_left};
-                stack[top++] = left_first ? Entry{node.first, from_left} : Entry{node.first + 1, from_right};
-            } else if (left) {
-                stack[top++] = {node.first, from_left};
-            } else if (right) {
-                stack[top++] = {node.first + 1, from_right};
-            }
-        }
-    }
+    if (each_ahead(g, cursor.t - cursor.error, best, take)) return Found::kHere;
     return found ? Found::kLater : Found::kNever;
 }
 
-// Items whose boxes hold the place of the event, or may.
-template <class Visit>
-void Walker::each_at(const Group& g, const Event& at, Visit visit) {
+bool Walker::meets(Ref ref, const Event& cursor) {
+    const Program& program = context_.program();
+    if (ref.is_leaf() || program.groups[ref.index()].is_and) {
+        Event e;
+        const Found found = next(ref, cursor, true, e);
+        return found == Found::kHere || (found == Found::kLater && e.t < far_);
+    }
+    const Group& g = program.groups[ref.index()];
+    if (misses(g, cursor.t - cursor.error)) return g.outside_value;
+    for (std::uint32_t i = 0; i < g.plain_count; ++i)
+        if (meets(program.refs[g.first_plain + i], cursor)) return true;
+    return each_ahead(g, cursor.t - cursor.error, far_, [&](Ref child) { return meets(child, cursor); });
+}
+
+// Plain children, then the items below nodes that `enters`. False: visit(ref) was, and ended it.
+template <class Enters, class Visit>
+bool Walker::each_entered(const Group& g, Enters enters, Visit visit) {
     const Program& program = context_.program();
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
-        if (!visit(program.refs[g.first_plain + i])) return;
-    if (g.item_count == 0) return;
+        if (!visit(program.refs[g.first_plain + i])) return false;
+    if (g.item_count == 0) return true;
+    std::uint32_t visited = 0;
     std::array<std::uint32_t, 128> stack;
     std::size_t top = 0;
     stack[top++] = g.hierarchy;
     while (top > 0) {
         const BoxNode& node = program.nodes[stack[--top]];
-        double from = 0, to = 0;
-        if (!slab_interval(node.lo, node.hi, context_.slab(), from, to) || to < at.t - at.error || from > at.t + at.error) continue;
+        if (!enters(node)) continue;
         if (node.count == 0) {
             stack[top++] = node.first + 1;
             stack[top++] = node.first;
             continue;
         }
+        visited += node.count;
         for (std::uint32_t i = 0; i < node.count; ++i)
-            if (!visit(program.refs[node.first + i])) return;
+            if (!visit(program.refs[node.first + i])) return false;
     }
+    context_.counters().skipped_by(EnginePass::kHierarchy) += g.item_count - visited;
+    return true;
+}
+
+// Children whose boxes hold the place of the event, or may.
+template <class Visit>
+bool Walker::each_at(const Group& g, const Event& at, Visit visit) {
+    const auto enters = [&](const BoxNode& node) {
+        double from = 0, to = 0;
+        return slab_interval(node.lo, node.hi, context_.slab(), from, to) && to >= at.t - at.error && from <= at.t + at.error;
+    };
+    return each_entered(g, enters, visit);
 }
 
 // One round over the children that may not be `want` at the cursor; moves it forward over each.
@@ -185,37 +236,18 @@ Found Walker::next_of_all(const Group& g, const Event& cursor, bool want, Event&
 
 template <class Visit>
 bool Walker::each_on_ray(const Group& g, Visit visit) {
-    const Program& program = context_.program();
-    for (std::uint32_t i = 0; i < g.plain_count; ++i)
-        if (!visit(program.refs[g.first_plain + i])) return false;
-    if (g.item_count == 0) return true;
-    std::array<std::uint32_t, 128> stack;
-    std::size_t top = 0;
-    stack[top++] = g.hierarchy;
-    while (top > 0) {
-        const BoxNode& node = program.nodes[stack[--top]];
+    const auto enters = [&](const BoxNode& node) {
         double from = 0, to = 0;
-        if (!slab_interval(node.lo, node.hi, context_.slab(), from, to) || to < 0) continue;
-        if (node.count == 0) {
-            stack[top++] = node.first + 1;
-            stack[top++] = node.first;
-            continue;
-        }
-        for (std::uint32_t i = 0; i < node.count; ++i)
-            if (!visit(program.refs[node.first + i])) return false;
-    }
-    return true;
+        return slab_interval(node.lo, node.hi, context_.slab(), from, to) && to >= 0;
+    };
+    return each_entered(g, enters, visit);
 }
 
 Walker::Changes Walker::all_changes(Ref ref) {
     if (ref.is_leaf()) return leaf_changes(ref.index());
     const Group& g = context_.program().groups[ref.index()];
     const auto constant = [&](bool value) { return Changes{static_cast<std::uint32_t>(events_.size()), 0, value}; };
-    if (g.bounded) {
-        double from = 0, to = 0;
-        const std::array<double, 3> lo{g.box.lo.x, g.box.lo.y, g.box.lo.z}, hi{g.box.hi.x, g.box.hi.y, g.box.hi.z};
-        if (!slab_interval(lo, hi, context_.slab(), from, to) || to < 0) return constant(g.outside_value);
-    }
+    if (misses(g, 0)) return constant(g.outside_value);
     const std::size_t first_list = lists_.size();
     const bool open = each_on_ray(g, [&](Ref child) {
         const Changes c = all_changes(child);
@@ -272,7 +304,7 @@ void Walker::causes(Ref ref, const Event& at, std::vector<Cause>& out) {
     if (ref.is_leaf()) {
         const Changes c = leaf_changes(ref.index());
         for (std::uint32_t i = 0; i < c.count; ++i)
-            if (context_.compare(events_[c.first + i], at) == 0) out.push_back({ref.index(), events_[c.first + i].id});
+            if (context_.compare(events_[c.first + i], at) == 0) out.push_back({ref.index(), events_[c.first + i]});
         return;
     }
     Event before = at, behind = at;

@@ -26,6 +26,9 @@ public:
         return next(ref, cursor, true, unused) == Found::kHere;
     }
 
+    // Is the node true anywhere behind the cursor and before the ray's far end? Any part of a union will do, not the nearest.
+    bool meets(Ref ref, const Event& cursor);
+
     // Changes of the node along the ray, as far as they matter for t >= 0; its state before the first.
     struct Changes {
         std::uint32_t first = 0, count = 0;
@@ -34,10 +37,10 @@ public:
     Changes all_changes(Ref ref);
     const Event& change(std::uint32_t i) const { return events_[i]; }
 
-    // Leaves that change in the node's stead at the event, with the class that each does it by.
+    // Leaves that change in the node's stead at the event, with the event that each does it by.
     struct Cause {
         std::uint32_t leaf;
-        ClassId id;
+        Event event;
     };
     void causes(Ref ref, const Event& at, std::vector<Cause>& out);
     // The same by asking every leaf met so far: for a ray whose rounded origin misses a box by the rounding of its departure.
@@ -66,14 +69,20 @@ private:
     Found next_of_all(const Group& g, const Event& cursor, bool want, Event& out);
     Found pass(const Group& g, Event& cursor, bool want, bool& moved);
     bool passed(const Event& change, const Event& cursor);
+    bool misses(const Group& g, double begin);
+    template <class Take>
+    bool each_ahead(const Group& g, double begin, const double& end, Take take);
+    template <class Enters, class Visit>
+    bool each_entered(const Group& g, Enters enters, Visit visit);
     template <class Visit>
-    void each_at(const Group& g, const Event& at, Visit visit);
+    bool each_at(const Group& g, const Event& at, Visit visit);
     template <class Visit>
     bool each_on_ray(const Group& g, Visit visit);
     Changes merge(const Group& g, std::size_t first_list);
 
     RayContext context_;
     double far_ = 0;
+    bool boxes_ = true, occlusion_ = true;  // EnginePass
     std::uint32_t stamp_ = 0;
     std::vector<Slot> slots_;
     std::vector<Event> events_;
