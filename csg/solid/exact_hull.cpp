@@ -77,6 +77,59 @@ Use touching_cone(SolidBuilder& builder, const Ball& a, const Ball& b) {
     return use_of(builder.shape(shape::Frustum{s * a.r, d + s * b.r, c * a.r, c * b.r}), upright_to(a.c, b.c - a.c));
 }
 
+// Equal balls at the corners of a rectangle or a box along the axes, each once.
+std::optional<shape::RoundBox> rounded_box(const std::vector<Ball>& balls) {
+    if (balls.size() != 4 && balls.size() != 8) return std::nullopt;
+    Vec3 lo = balls[0].c, hi = lo;
+    for (const Ball& b : balls) lo = glm::min(lo, b.c), hi = glm::max(hi, b.c);
+    std::array<bool, 8> seen{};
+    for (const Ball& b : balls) {
+        std::size_t corner = 0;
+        for (int i = 0; i < 3; ++i) {
+            if (b.c[i] != lo[i] && b.c[i] != hi[i]) return std::nullopt;
+            if (b.c[i] != lo[i]) corner |= std::size_t{1} << i;
+        }
+        if (b.r != balls[0].r || seen[corner]) return std::nullopt;
+        seen[corner] = true;
+    }
+    if (((lo.x < hi.x) + (lo.y < hi.y) + (lo.z < hi.z)) != (balls.size() == 8 ? 3 : 2)) return std::nullopt;
+    return shape::RoundBox{lo - balls[0].r, hi + balls[0].r, balls[0].r};
+}
+
+// Some plane touches both balls and has all others on one side. Where no such plane touches a third ball, it is enough to look at one.
+bool is_ridge(const std::vector<Ball>& balls, const Ball& a, const Ball& b, double size) {
+    const Vec3 u = b.c - a.c;
+    const double d = glm::length(u), s = (a.r - b.r) / d;
+    if (!(std::fabs(s) <= 1)) return false;
+    const Placement frame = upright_to(a.c, u);
+    const Vec3 n = s * (u / d) + std::sqrt(1 - s * s) * Vec3(frame.m[0], frame.m[4], frame.m[8]);
+    return touches_all(balls, n, glm::dot(n, a.c) + a.r, size);
+}
+
+// What touches the hull of balls: points of its flat faces, and the pairs of balls that a cone joins.
+struct HullContacts {
+    std::vector<Vec3> touched;
+    std::vector<std::array<std::size_t, 2>> ridges;
+};
+
+HullContacts contacts_of(const std::vector<Ball>& balls) {
+    HullContacts out;
+    const double size = size_of(balls);
+    std::vector<bool> joined(balls.size() * balls.size(), false);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t j = i + 1; j < balls.size(); ++j)
+            for (std::size_t k = j + 1; k < balls.size(); ++k)
+                for (const Vec3& n : common_tangents(balls[i], balls[j], balls[k])) {
+                    if (!touches_all(balls, n, glm::dot(n, balls[i].c) + balls[i].r, size)) continue;
+                    joined[i * balls.size() + j] = joined[j * balls.size() + k] = joined[i * balls.size() + k] = true;
+                    for (const Ball* b : {&balls[i], &balls[j], &balls[k]}) out.touched.push_back(b->c + b->r * n);
+                }
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t j = i + 1; j < balls.size(); ++j)
+            if ((balls[i].r > 0 || balls[j].r > 0) && (joined[i * balls.size() + j] || is_ridge(balls, balls[i], balls[j], size))) out.ridges.push_back({i, j});
+    return out;
+}
+
 HullResult hull_of_balls(SolidBuilder& builder, std::vector<Ball> balls) {
     const bool curved = std::any_of(balls.begin(), balls.end(), [](const Ball& b) { return b.r > 0; });
     if (!curved) {
@@ -89,22 +142,15 @@ HullResult hull_of_balls(SolidBuilder& builder, std::vector<Ball> balls) {
     keep_extreme_corners(balls);
     balls = without_hidden(balls);
     if (balls.size() > kMostBalls) return {};
-    const double size = size_of(balls);
-    std::vector<Vec3> touched;
+    if (const auto box = rounded_box(balls)) return {use_of(builder.shape(*box)), false};
+    HullContacts contacts = contacts_of(balls);
     std::vector<Use> parts;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (balls[i].r > 0) parts.push_back(use_of(builder.shape(shape::Ellipsoid{Vec3(balls[i].r)}), Placement::translation(balls[i].c)));
-        else touched.push_back(balls[i].c);
-        for (std::size_t j = i + 1; j < balls.size(); ++j) {
-            if (balls[i].r > 0 || balls[j].r > 0) parts.push_back(touching_cone(builder, balls[i], balls[j]));
-            for (std::size_t k = j + 1; k < balls.size(); ++k)
-                for (const Vec3& n : common_tangents(balls[i], balls[j], balls[k])) {
-                    if (!touches_all(balls, n, glm::dot(n, balls[i].c) + balls[i].r, size)) continue;
-                    for (const Ball* b : {&balls[i], &balls[j], &balls[k]}) touched.push_back(b->c + b->r * n);
-                }
-        }
+    for (const Ball& b : balls) {
+        if (b.r > 0) parts.push_back(use_of(builder.shape(shape::Ellipsoid{Vec3(b.r)}), Placement::translation(b.c)));
+        else contacts.touched.push_back(b.c);
     }
-    if (auto polytope = convex_hull_of(std::move(touched))) parts.push_back(use_of(builder.shape(shape::Polyhedron{std::make_shared<const FacetList>(std::move(*polytope))})));
+    for (const auto& [i, j] : contacts.ridges) parts.push_back(touching_cone(builder, balls[i], balls[j]));
+    if (auto polytope = convex_hull_of(std::move(contacts.touched))) parts.push_back(use_of(builder.shape(shape::Polyhedron{std::make_shared<const FacetList>(std::move(*polytope))})));
     if (parts.size() == 1) return {parts[0], false};
     return {use_of(builder.combine(SetOp::kUnion, std::move(parts))), false};
 }

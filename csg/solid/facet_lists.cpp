@@ -15,9 +15,6 @@ namespace {
 
 using Facet = std::vector<std::uint32_t>;
 
-// Diagonals this close are taken as equal (OpenSCAD's rule for the sides of an extrusion).
-constexpr double kEqualDiagonals = 1e-5;
-
 // Corners beyond which a list is refused: they would fill some gigabytes, and no author means them.
 constexpr double kMostCorners = 1 << 26;
 
@@ -133,7 +130,7 @@ void add_lid(FacetList& out, const Outline& outline, std::uint32_t first, bool t
 void add_side(FacetList& out, std::uint32_t a, std::uint32_t b, std::uint32_t above, double twist_deg) {
     const std::uint32_t c = b + above, d = a + above;
     const double ac = glm::distance(out.points[a], out.points[c]), bd = glm::distance(out.points[b], out.points[d]);
-    const bool along_ac = std::fabs(ac - bd) < kEqualDiagonals ? twist_deg >= 0 : ac < bd;
+    const bool along_ac = std::fabs(ac - bd) <= kEqualDiagonals ? twist_deg >= 0 : ac < bd;
     if (along_ac) {
         out.facets.push_back({a, b, c});
         out.facets.push_back({a, c, d});

@@ -23,6 +23,9 @@ using Contours = std::vector<std::vector<Vec2>>;
 // OpenSCAD's n-gon, first vertex on +x.
 std::vector<Vec2> circle_points(double r, int n);
 
+// The side of a slice is cut along its shorter diagonal; of two this close along the one that follows the twist (OpenSCAD's rule).
+inline constexpr double kEqualDiagonals = 1e-5;
+
 // OpenSCAD's number of slices of linear_extrude where the author gave none; 1 where the sides are flat.
 int extrusion_slices(const Contours& profile, double height, double twist_deg, Vec2 scale_top, const Resolution& resolution);
 

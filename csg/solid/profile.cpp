@@ -7,6 +7,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/clean_paths.h"
 
 namespace whittle {
 namespace {
@@ -141,7 +142,7 @@ private:
 Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
     Clipping clipping(solid, node, tolerance);
     if (!clipping.is_finite()) return {};
-    return clipping.contours(clipping.of_node(node, {}));
+    return clipping.contours(clean_paths(clipping.of_node(node, {})));
 }
 
 namespace {

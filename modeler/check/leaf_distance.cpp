@@ -7,6 +7,7 @@
 
 #include "csg/solid/facets.h"
 #include "modeler/check/nearest_point.h"
+#include "modeler/check/placed_facets.h"
 
 namespace whittle {
 
@@ -14,8 +15,8 @@ namespace {
 
 // A placement keeps shapes when its columns are orthogonal and of one length up to this share: rounding of a chain of rotations.
 constexpr double kSimilar = 0x1p-40;
-// Below this share of a leaf's size a value is compared as it is: its slope cannot be told from rounding.
-constexpr double kSlopeNoise = 0x1p-32;
+// Below this share of a leaf's size a value's slope is not told by steps within it, which drown in rounding, but by longer ones across the surface.
+constexpr double kSlopeNoise = 0x1p-32, kLongStep = 0x1p-20;
 
 Vec3 column(const Placement& a, int k) { return {a.linear(0, k), a.linear(1, k), a.linear(2, k)}; }
 
@@ -26,6 +27,17 @@ double similarity_scale(const Placement& a) {
     const double worst = std::max({std::fabs(glm::dot(y, y) - s2), std::fabs(glm::dot(z, z) - s2), std::fabs(glm::dot(x, y)), std::fabs(glm::dot(y, z)),
                                    std::fabs(glm::dot(z, x))});
     return worst <= kSimilar * s2 ? std::sqrt(s2) : 0;
+}
+
+// The same of a placement of the plane z = 0 in itself.
+double similarity_scale_2d(const Placement& a) {
+    const Vec2 x(a.m[0], a.m[4]), y(a.m[1], a.m[5]);
+    const double s2 = glm::dot(x, x);
+    return std::max(std::fabs(glm::dot(y, y) - s2), std::fabs(glm::dot(x, y))) <= kSimilar * s2 ? std::sqrt(s2) : 0;
+}
+
+double widest(const Placement& a) {
+    return std::sqrt(glm::dot(column(a, 0), column(a, 0)) + glm::dot(column(a, 1), column(a, 1)) + glm::dot(column(a, 2), column(a, 2)));
 }
 
 Placement inverse_of(const Placement& a) {
@@ -60,6 +72,12 @@ Vec2 in_profile(const PlacedLeaf& leaf, Vec2 p) {
     return {q.x, q.y};
 }
 
+// From the profile's boundary, p in its own frame.
+LeafDistance profile_distance(const PlacedLeaf& leaf, Vec2 p) {
+    const LeafDistance d = boundary_distance_2d(leaf.profile, p);
+    return {d.curved * leaf.profile_scale, d.flat * leaf.profile_scale};
+}
+
 LeafDistance extrusion_distance(const PlacedLeaf& leaf, const shape::Extrusion& e, Vec3 q) {
     const double z = std::clamp(q.z, e.z0, e.z1);
     const double share = (z - e.z0) / (e.z1 - e.z0);
@@ -67,7 +85,7 @@ LeafDistance extrusion_distance(const PlacedLeaf& leaf, const shape::Extrusion& 
     const double angle = e.twist_deg * share * M_PI / 180;  // undoes a clockwise twist
     const Vec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y, std::sin(angle) * q.x + std::cos(angle) * q.y);
     const Vec2 p = in_profile(leaf, {s.x > 0 ? turned.x / s.x : 0, s.y > 0 ? turned.y / s.y : 0});
-    LeafDistance wall = boundary_distance_2d(leaf.profile, p);
+    LeafDistance wall = profile_distance(leaf, p);
     if (!is_plain(e) && (e.twist_deg != 0 || e.scale_top.x != e.scale_top.y)) wall = {std::min(wall.curved, wall.flat), kInfiniteDistance};
     const double above = q.z - z;
     LeafDistance d{std::hypot(wall.curved, above), std::hypot(wall.flat, above)};
@@ -94,8 +112,8 @@ LeafDistance revolution_distance(const PlacedLeaf& leaf, const shape::Revolution
     }
     LeafDistance d;
     if (s.angle_deg >= 360 || theta <= s.angle_deg) {
-        const LeafDistance right = boundary_distance_2d(leaf.profile, in_profile(leaf, {rho, q.z}));
-        const LeafDistance left = boundary_distance_2d(leaf.profile, in_profile(leaf, {-rho, q.z}));
+        const LeafDistance right = profile_distance(leaf, in_profile(leaf, {rho, q.z}));
+        const LeafDistance left = profile_distance(leaf, in_profile(leaf, {-rho, q.z}));
         d = {std::min(right.curved, left.curved), std::min(right.flat, left.flat)};
         if (s.fragments == 0) d = {std::min(d.curved, d.flat), kInfiniteDistance};
     }
@@ -111,19 +129,45 @@ LeafDistance distance_in_frame(const PlacedLeaf& leaf, Vec3 p) {
     return boundary_distance(leaf.shape, q);
 }
 
-// value / slope, by central differences that stay on one side of the surface.
-double first_order(const PlacedLeaf& leaf, Vec3 p, double value, double LeafDistance::*part, double size, double stretch) {
+// By how much the leaf's own lengths grow in the root frame, at least (of `least` only a lower bound is known) and at most.
+struct Stretch {
+    double least = 0, most = 0;
+};
+
+Stretch stretch_of(const PlacedLeaf& leaf) {
+    return {1 / widest(leaf.inverse), widest(leaf.placement)};
+}
+
+// No slope of distance_in_frame is greater, p within twice the leaf's size; infinite where none is known.
+double slope_bound(const PlacedLeaf& leaf) {
+    if (std::holds_alternative<shape::Quadric>(leaf.shape)) return kInfiniteDistance;
+    const double outer = widest(leaf.inverse), profile = std::max(1.0, leaf.profile_scale * widest(leaf.profile_inverse));
+    if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape))
+        return outer * profile / (r->fragments > 0 ? std::cos(r->angle_deg / r->fragments / 2 * M_PI / 180) : 1);
+    const auto* e = std::get_if<shape::Extrusion>(&leaf.shape);
+    if (!e) return outer;
+    const Vec3 far = glm::max(glm::abs(leaf.bounds.lo), glm::abs(leaf.bounds.hi));
+    const double radius = 2 * outer * (glm::length(far) + glm::length(Vec3(leaf.placement.m[3], leaf.placement.m[7], leaf.placement.m[11])));
+    const double least = std::min({1.0, e->scale_top.x, e->scale_top.y}), taper = glm::length(Vec2(1) - e->scale_top);
+    const double sideways = 1 / least, upward = radius * (std::fabs(e->twist_deg) * M_PI / 180 + taper / least) / least / (e->z1 - e->z0);
+    return outer * (profile * (sideways + upward) + 1);
+}
+
+// value / slope. Near the surface the slope is the mean of its steepness on both sides, by steps that are short against the surface's curvature; elsewhere
+// it is by central differences that stay on one side.
+double first_order(const PlacedLeaf& leaf, Vec3 p, double value, double LeafDistance::*part, double size, const Stretch& stretch) {
     if (!(value < kInfiniteDistance)) return kInfiniteDistance;
-    if (value * stretch <= kSlopeNoise * size) return value * stretch;
-    const double h = value * stretch / 8;
+    const bool near = value * stretch.most <= kSlopeNoise * size;
+    const double h = near ? kLongStep * size : value * stretch.least / 8;
     Vec3 slope(0);
     for (int i = 0; i < 3; ++i) {
         Vec3 step(0);
-        step[i] = h / stretch > 0 ? h : size;
-        slope[i] = (distance_in_frame(leaf, p + step).*part - distance_in_frame(leaf, p - step).*part) / (2 * step[i]);
+        step[i] = h;
+        const double after = distance_in_frame(leaf, p + step).*part, before = distance_in_frame(leaf, p - step).*part;
+        slope[i] = (near ? after + before : after - before) / (2 * h);
     }
     const double length = glm::length(slope);
-    return length > 0 && std::isfinite(length) ? std::min(value / length, value * stretch) : value * stretch;
+    return length > 0 && std::isfinite(length) ? std::min(value / length, value * stretch.most) : value * stretch.most;
 }
 
 Use use_of(NodeId node) {
@@ -134,7 +178,7 @@ Use use_of(NodeId node) {
 
 class Gatherer {
 public:
-    Gatherer(const Solid& solid, std::vector<PlacedLeaf>& leaves) : solid_(solid), leaves_(leaves) {}
+    Gatherer(const Solid& solid, std::vector<PlacedLeaf>& leaves, PlacedFacets& facets) : solid_(solid), leaves_(leaves), facets_(facets) {}
 
     // False at a shape whose surface is not known here.
     bool walk(const Use& use, const Placement& outer, SourcePlace place) {
@@ -150,43 +194,59 @@ private:
         return std::all_of(combination.operands.begin(), combination.operands.end(), [&](const Use& use) { return walk(use, placement, place); });
     }
     bool visit(const Shape& shape, NodeId id, const Placement& placement, SourcePlace place) {
+        if (has_facets(shape)) return add_facets(id, placement, place);
         PlacedLeaf leaf;
         leaf.shape = shape;
         leaf.place = place;
         leaf.bounds = placed_bounds(solid_.bounds(id), placement);
-        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) {
-            if (e->slices > 0 && (e->twist_deg != 0 || e->scale_top.x != e->scale_top.y)) return add_facets(std::move(leaf), id, placement);
-            return walk_profile(use_of(e->profile), Placement{}, placement, leaf, is_plain(*e));
-        }
+        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return walk_profile(use_of(e->profile), Placement{}, placement, leaf);
         if (const auto* r = std::get_if<shape::Revolution>(&shape)) {
             leaf.profile_bounds = solid_.bounds(r->profile);
             faceted_ = r->fragments > 0;
-            return walk_profile(use_of(r->profile), Placement{}, placement, leaf, false);
+            return walk_profile(use_of(r->profile), Placement{}, placement, leaf);
         }
         add(std::move(leaf), placement);
         return true;
     }
 
-    // Sides in slices: what the solid says its facets are.
-    bool add_facets(PlacedLeaf leaf, NodeId id, const Placement& placement) {
-        auto facets = facets_of(solid_, id);
-        if (!facets) return false;
-        leaf.shape = shape::Polyhedron{std::make_shared<const FacetList>(std::move(*facets))};
-        add(std::move(leaf), placement);
-        return true;
+    // Shapes of facets, and sides in slices.
+    static bool has_facets(const Shape& shape) {
+        if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return e->slices > 0 && (e->twist_deg != 0 || e->scale_top.x != e->scale_top.y);
+        return std::holds_alternative<shape::Polyhedron>(shape) || std::holds_alternative<shape::FacetedBall>(shape) ||
+               std::holds_alternative<shape::FacetedFrustum>(shape);
+    }
+    bool add_facets(NodeId id, const Placement& placement, SourcePlace place) {
+        if (determinant(placement) == 0) return true;
+        if (const auto* p = std::get_if<shape::Polyhedron>(&std::get<Shape>(solid_.node(id)))) {
+            facets_.add(*p->mesh, placement, place);
+            return true;
+        }
+        const auto facets = facets_of(solid_, id);
+        if (facets) facets_.add(*facets, placement, place);
+        return facets.has_value();
     }
 
-    // One leaf for each shape of the profile; `fold`: its placement may move the whole solid instead.
-    bool walk_profile(const Use& use, const Placement& inner, const Placement& outer, const PlacedLeaf& like, bool fold) {
+    // One leaf for each shape of the profile.
+    bool walk_profile(const Use& use, const Placement& inner, const Placement& outer, const PlacedLeaf& like) {
         const Placement placement = inner * use.placement;
         const Node& node = solid_.node(use.node);
         if (const auto* combination = std::get_if<Combination>(&node))
             return std::all_of(combination->operands.begin(), combination->operands.end(),
-                               [&](const Use& operand) { return walk_profile(operand, placement, outer, like, fold); });
+                               [&](const Use& operand) { return walk_profile(operand, placement, outer, like); });
         PlacedLeaf leaf = like;
         leaf.profile = std::get<Shape>(node);
+        const double scale = similarity_scale_2d(placement);
+        const auto* extrusion = std::get_if<shape::Extrusion>(&leaf.shape);
+        const bool plain = extrusion && is_plain(*extrusion);
+        const bool fold = plain && scale == 0;  // the placement can move the whole solid instead
         if (!fold) leaf.profile_inverse = inverse_of(placement);
-        leaf.exact = fold || (std::holds_alternative<shape::Revolution>(leaf.shape) && !faceted_ && std::fabs(similarity_scale(placement) - 1) <= kSimilar);
+        if (scale > 0) leaf.profile_scale = scale;
+        leaf.exact = plain || (!extrusion && !faceted_ && scale > 0);
+        if (plain) {
+            Bounds box = placed_bounds(solid_.bounds(use.node), placement);
+            box.lo.z = extrusion->z0, box.hi.z = extrusion->z1;
+            leaf.bounds = placed_bounds(box, outer);
+        }
         add(std::move(leaf), fold ? outer * placement : outer);
         return true;
     }
@@ -196,11 +256,13 @@ private:
         leaf.placement = placement;
         leaf.inverse = inverse_of(placement);
         leaf.scale = leaf.exact ? similarity_scale(placement) : 0;
+        leaf.steepest = slope_bound(leaf);
         leaves_.push_back(std::move(leaf));
     }
 
     const Solid& solid_;
     std::vector<PlacedLeaf>& leaves_;
+    PlacedFacets& facets_;
     bool faceted_ = false;  // the revolution being walked
 };
 
@@ -210,21 +272,21 @@ bool is_curved(const PlacedLeaf& leaf) {
     const auto round_2d = [](const Shape& s) { return std::holds_alternative<shape::Disc>(s); };
     if (const auto* e = std::get_if<shape::Extrusion>(&leaf.shape)) return round_2d(leaf.profile) || e->twist_deg != 0 || e->scale_top.x != e->scale_top.y;
     if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape)) return r->fragments == 0 || round_2d(leaf.profile);
-    return !(std::holds_alternative<shape::Box>(leaf.shape) || std::holds_alternative<shape::HalfSpace>(leaf.shape) ||
-             std::holds_alternative<shape::Polyhedron>(leaf.shape) || std::holds_alternative<shape::FacetedBall>(leaf.shape) ||
-             std::holds_alternative<shape::FacetedFrustum>(leaf.shape));
+    return !(std::holds_alternative<shape::Box>(leaf.shape) || std::holds_alternative<shape::HalfSpace>(leaf.shape));
 }
 
 }  // namespace
 
-LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p) {
+LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p, const LeafDistance& most) {
     const LeafDistance d = distance_in_frame(leaf, p);
     if (leaf.scale > 0) return {d.curved * leaf.scale, d.flat * leaf.scale};
-    const double stretch = std::max({glm::length(column(leaf.placement, 0)), glm::length(column(leaf.placement, 1)), glm::length(column(leaf.placement, 2))}) *
-                           std::sqrt(3.0);
+    const Stretch stretch = stretch_of(leaf);
     const Vec3 size = leaf.bounds.hi - leaf.bounds.lo;
     const double extent = std::isfinite(glm::length(size)) ? glm::length(size) : 1 + glm::length(p);
-    return {first_order(leaf, p, d.curved, &LeafDistance::curved, extent, stretch), first_order(leaf, p, d.flat, &LeafDistance::flat, extent, stretch)};
+    const auto part = [&](double LeafDistance::*which) {
+        return d.*which > leaf.steepest * (most.*which) ? kInfiniteDistance : first_order(leaf, p, d.*which, which, extent, stretch);
+    };
+    return {part(&LeafDistance::curved), part(&LeafDistance::flat)};
 }
 
 // Cells of the box of all bounded leaves, each with the leaves whose boxes meet it.
@@ -258,10 +320,12 @@ LeafDistances::~LeafDistances() = default;
 
 Result<LeafDistances> LeafDistances::of(const Solid& solid) {
     LeafDistances r;
-    if (!Gatherer(solid, r.leaves_).walk(solid.root(), Placement{}, {}))
+    r.facets_ = std::make_unique<PlacedFacets>();
+    if (!Gatherer(solid, r.leaves_, *r.facets_).walk(solid.root(), Placement{}, {}))
         return fail(Fault::kScene, "check cannot cut an extrusion into its slices");
     const auto flat = std::stable_partition(r.leaves_.begin(), r.leaves_.end(), is_curved);
     r.curved_ = static_cast<std::size_t>(flat - r.leaves_.begin());
+    r.facets_->finish();
     r.grid_ = std::make_unique<Grid>();
     Grid& grid = *r.grid_;
     grid.box = solid.root_bounds();
@@ -276,7 +340,7 @@ LeafDistances::Nearest LeafDistances::nearest(Vec3 p, double curved_bound, doubl
     Nearest best;
     const double far = reach * std::max(curved_bound, flat_bound);
     const auto offer = [&](const PlacedLeaf& leaf) {
-        const LeafDistance d = leaf_distance(leaf, p);
+        const LeafDistance d = leaf_distance(leaf, p, {curved_bound * best.ratio, flat_bound * best.ratio});
         const auto take = [&](double distance, double bound) {
             if (!(distance < bound * best.ratio)) return;
             best = {distance / bound, distance, bound, leaf.place};
@@ -291,7 +355,12 @@ LeafDistances::Nearest LeafDistances::nearest(Vec3 p, double curved_bound, doubl
             if (distance_to_bounds(leaves_[i].bounds, p) <= far) offer(leaves_[i]);
         }
     });
+    const auto offer_facet = [&](const PlacedFacets::Nearest& facet) {
+        if (facet.distance < flat_bound * best.ratio) best = {facet.distance / flat_bound, facet.distance, flat_bound, facet.place};
+    };
+    if (!(best.ratio <= 1)) offer_facet(facets_->within(p, reach * flat_bound));
     if (best.distance < kInfiniteDistance) return best;
+    offer_facet(facets_->nearest(p));
     for (const PlacedLeaf& leaf : leaves_)
         if (distance_to_bounds(leaf.bounds, p) < best.distance) offer(leaf);
     return best;

@@ -24,7 +24,7 @@ struct LeafDistance {
     double flat = kInfiniteDistance;
 };
 
-// A leaf in the root frame. Extrusions and revolutions are one leaf for each shape of their profile.
+// A leaf in the root frame that is not made of facets. Extrusions and revolutions are one leaf for each shape of their profile.
 struct PlacedLeaf {
     Shape shape;
     Placement placement, inverse;
@@ -32,11 +32,15 @@ struct PlacedLeaf {
     double scale = 0;   // of lengths, where that is exact and the placement keeps shapes; else 0
     Bounds bounds;     // in the root frame
     SourcePlace place;
+    double steepest = kInfiniteDistance;  // no distance is smaller than the value in the leaf's own frame over this
     // Shape of the profile, where `shape` is an Extrusion or a Revolution that cannot be told in simpler shapes.
     Shape profile = shape::Disc{0};
     Placement profile_inverse;
+    double profile_scale = 1;  // of lengths, from the profile's frame, where that is exact
     Bounds profile_bounds;  // of the whole profile, in the profile's frame: where the cut faces of a revolution lie
 };
+
+class PlacedFacets;
 
 class LeafDistances {
 public:
@@ -64,10 +68,11 @@ private:
     struct Grid;
     std::vector<PlacedLeaf> leaves_;
     std::unique_ptr<Grid> grid_;
+    std::unique_ptr<PlacedFacets> facets_;  // shapes of facets are not among the leaves
     std::size_t curved_ = 0;  // the first so many leaves have curved faces
 };
 
-// Of one leaf's boundary, from a point of the root frame.
-LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p);
+// Of one leaf's boundary, from a point of the root frame; a distance known to exceed `most` may be given as infinite.
+LeafDistance leaf_distance(const PlacedLeaf& leaf, Vec3 p, const LeafDistance& most = {});
 
 }  // namespace whittle

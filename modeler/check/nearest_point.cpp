@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/solid/facets.h"
 
 namespace whittle {
 
@@ -25,14 +24,14 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
 namespace {
 
 // Newell's normal, of the length of twice the area.
-Vec3 polygon_normal(const std::vector<Vec3>& polygon) {
+Vec3 polygon_normal(std::span<const Vec3> polygon) {
     Vec3 n(0);
     for (std::size_t i = 0; i < polygon.size(); ++i) n += glm::cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     return n;
 }
 
 // Even-odd for a point of the polygon's plane, seen along the normal's largest coordinate.
-bool is_in_polygon(Vec3 p, const std::vector<Vec3>& polygon, Vec3 n) {
+bool is_in_polygon(Vec3 p, std::span<const Vec3> polygon, Vec3 n) {
     const Vec3 a = glm::abs(n);
     const int drop = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     const int i = (drop + 1) % 3, j = (drop + 2) % 3;
@@ -85,43 +84,6 @@ LeafDistance of(const shape::RoundBox& s, Vec3 p) {
     const int off = (out.x > 0) + (out.y > 0) + (out.z > 0);
     return off > 1 ? LeafDistance{d, kInfiniteDistance} : LeafDistance{kInfiniteDistance, d};
 }
-LeafDistance of(const shape::Polyhedron& s, Vec3 p) {
-    double best = kInfiniteDistance;
-    std::vector<Vec3> polygon;
-    for (const std::vector<std::uint32_t>& facet : s.mesh->facets) {
-        polygon.clear();
-        for (const std::uint32_t v : facet) polygon.push_back(s.mesh->points[v]);
-        best = std::min(best, distance_to_polygon(p, polygon));
-    }
-    return {kInfiniteDistance, best};
-}
-
-// Rings of n points, the facets between them, and the two end faces.
-double distance_to_rings(Vec3 p, const std::vector<std::pair<double, double>>& rings, int n) {
-    std::vector<std::vector<Vec3>> points;
-    for (const auto& [r, z] : rings) {
-        std::vector<Vec3> ring;
-        for (const Vec2 q : circle_points(r, n)) ring.push_back({q.x, q.y, z});
-        points.push_back(std::move(ring));
-    }
-    double best = std::min(distance_to_polygon(p, points.front()), distance_to_polygon(p, points.back()));
-    for (std::size_t k = 0; k + 1 < points.size(); ++k)
-        for (std::size_t i = 0; i < points[k].size(); ++i) {
-            const std::size_t j = (i + 1) % points[k].size();
-            best = std::min(best, distance_to_polygon(p, {points[k][i], points[k][j], points[k + 1][j], points[k + 1][i]}));
-        }
-    return best;
-}
-LeafDistance of(const shape::FacetedBall& s, Vec3 p) {
-    const int count = (s.n + 1) / 2;
-    std::vector<std::pair<double, double>> rings;
-    for (int i = 0; i < count; ++i) {
-        const double phi = M_PI * (i + 0.5) / count;
-        rings.emplace_back(s.r * std::sin(phi), s.r * std::cos(phi));
-    }
-    return {kInfiniteDistance, distance_to_rings(p, rings, s.n)};
-}
-LeafDistance of(const shape::FacetedFrustum& s, Vec3 p) { return {kInfiniteDistance, distance_to_rings(p, {{s.r0, s.z0}, {s.r1, s.z1}}, s.n)}; }
 template <class Other>
 LeafDistance of(const Other&, Vec3) { return {}; }
 
@@ -143,7 +105,7 @@ LeafDistance of_2d(const Other&, Vec2) { return {}; }
 
 }  // namespace
 
-double distance_to_polygon(Vec3 p, const std::vector<Vec3>& polygon) {
+double distance_to_polygon(Vec3 p, std::span<const Vec3> polygon) {
     double best = kInfiniteDistance;
     for (std::size_t i = 0; i < polygon.size(); ++i) best = std::min(best, distance_to_segment(p, polygon[i], polygon[(i + 1) % polygon.size()]));
     const Vec3 n = polygon_normal(polygon);

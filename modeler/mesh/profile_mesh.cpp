@@ -5,6 +5,7 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "csg/solid/clean_paths.h"
 #include "csg/solid/facets.h"
 #include "modeler/mesh/grid.h"
 
@@ -63,7 +64,7 @@ public:
         ProfileMesh out;
         out.error = error_;
         out.per_mm = grid_.per_mm;
-        for (const clip::Path& path : paths) {
+        for (const clip::Path& path : clean_paths(paths)) {
             std::vector<std::uint32_t> contour;
             for (const clip::IntPoint& p : path) {
                 contour.push_back(static_cast<std::uint32_t>(out.points.size()));
@@ -71,7 +72,7 @@ public:
                 out.points.push_back(known != corners_.end() ? known->second
                                                              : Vec2{grid_.mm(static_cast<double>(p.X)), grid_.mm(static_cast<double>(p.Y))});
             }
-            if (contour.size() >= 3) out.contours.push_back(std::move(contour));
+            out.contours.push_back(std::move(contour));
         }
         return out;
     }
@@ -147,7 +148,7 @@ ProfileMesh right_half(const ProfileMesh& profile) {
     ProfileMesh out;
     out.error = profile.error;
     out.per_mm = profile.per_mm;
-    for (const clip::Path& path : combined(clip::ctIntersection, paths, {half}, clip::pftNonZero)) {
+    for (const clip::Path& path : clean_paths(combined(clip::ctIntersection, paths, {half}, clip::pftNonZero))) {
         std::vector<std::uint32_t> contour;
         for (const clip::IntPoint& p : path) {
             contour.push_back(static_cast<std::uint32_t>(out.points.size()));

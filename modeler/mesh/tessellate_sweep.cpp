@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/facets.h"
 #include "modeler/mesh/profile_mesh.h"
 #include "modeler/mesh/tessellate.h"
 
@@ -59,10 +60,10 @@ Vec2 at_height(const shape::Extrusion& s, const Vec2& p, int slice, int slices) 
     return {scale.x * (c * p.x - n * p.y), scale.y * (n * p.x + c * p.y)};
 }
 
-// The quad (a, b, c, d) cut along its shorter diagonal; equal ones (to OpenSCAD's 1e-5) along the one that follows the twist.
+// The quad (a, b, c, d) cut along its shorter diagonal; equal ones along the one that follows the twist.
 void wall_quad(LeafMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool with_twist) {
     const double ac = glm::distance(mesh.points[a], mesh.points[c]), bd = glm::distance(mesh.points[b], mesh.points[d]);
-    const bool along_ac = std::fabs(ac - bd) <= 1e-5 ? with_twist : ac < bd;
+    const bool along_ac = std::fabs(ac - bd) <= kEqualDiagonals ? with_twist : ac < bd;
     if (along_ac) {
         mesh.quad(a, b, c, d);
     } else {

@@ -82,6 +82,41 @@ TEST_CASE("the hull of balls and corners reaches as far as they do, everywhere")
     }
 }
 
+TEST_CASE("the hull of equal balls at the corners of a box is a rounded box") {
+    SolidBuilder b;
+    const NodeId ball = b.shape(shape::Ellipsoid{Vec3(1)});
+    std::vector<Use> corners, slab;
+    for (int k = 0; k < 8; ++k) corners.push_back(at(ball, {k & 1 ? 5.0 : 1.0, k & 2 ? 6.0 : 1.0, k & 4 ? 7.0 : 1.0}));
+    for (int k = 0; k < 4; ++k) slab.push_back(at(ball, {k & 1 ? 5.0 : 1.0, 2, k & 2 ? 7.0 : 1.0}));
+    const auto box = exact_hull(b, corners);
+    REQUIRE(box.use);
+    CHECK(std::get<Shape>(b.node(box.use->node)) == Shape{shape::RoundBox{Vec3(0), {6, 7, 8}, 1}});
+    const auto flat = exact_hull(b, slab);
+    REQUIRE(flat.use);
+    CHECK(std::get<Shape>(b.node(flat.use->node)) == Shape{shape::RoundBox{{0, 1, 0}, {6, 3, 8}, 1}});
+    corners.back() = at(ball, {5, 6, 7.5});
+    const auto skew = exact_hull(b, corners);
+    REQUIRE(skew.use);
+    CHECK(std::holds_alternative<Combination>(b.node(skew.use->node)));
+}
+
+TEST_CASE("a ball that sticks out is joined though no plane touches it and two others") {
+    SolidBuilder b;
+    const NodeId ball = b.shape(shape::Ellipsoid{Vec3(1)}), big = b.shape(shape::Ellipsoid{Vec3(20)});
+    const std::vector<Use> operands{at(big), at(ball, {50, 0, 0}), at(ball, {-18, -12, 0}), at(ball, {-18, -11, 3})};
+    const auto hull = exact_hull(b, operands);
+    REQUIRE(hull.use);
+    for (const Vec3& d : kDirections) {
+        double most = -HUGE_VAL;
+        for (const Use& use : operands) most = std::max(most, reach(b, use, d));
+        CHECK(reach(b, *hull.use, d) == Approx(most).epsilon(1e-12));
+    }
+    std::size_t cones = 0;
+    for (const Use& part : std::get<Combination>(b.node(hull.use->node)).operands)
+        cones += std::holds_alternative<shape::Frustum>(std::get<Shape>(b.node(part.node))) ? 1U : 0U;
+    CHECK(cones >= 1);
+}
+
 TEST_CASE("hulls of two balls, of discs, of cylinders of one height stand as curves") {
     SolidBuilder b;
     const NodeId ball = b.shape(shape::Ellipsoid{Vec3(1)}), disc = b.shape(shape::Disc{1}), bar = b.shape(shape::Frustum{0, 2, 1, 1});

@@ -2,6 +2,7 @@
 #include <iterator>
 #include <random>
 
+#include "csg/solid/facets.h"
 #include "modeler/check/agreement.h"
 #include "tests/modeler/check/check_solids.h"
 #include "tests/modeler/check/faults.h"
@@ -50,6 +51,34 @@ TEST_CASE("exact solids and their meshes agree, and their volumes do") {
         CHECK(a.lines == 4096);
         CHECK(a.difference_volume.value - a.difference_volume.error <= a.difference_bound);
     }
+}
+
+TEST_CASE("a twisted profile of abutting polygons is whole, to rays and as a mesh") {
+    SolidBuilder b;
+    const auto polygon = [&](std::vector<Vec2> ring) { return use(b.shape(shape::Polygon{std::make_shared<const Contours>(Contours{std::move(ring)})})); };
+    const NodeId profile = b.combine(SetOp::kUnion, {polygon({{4, 0}, {6, 0}, {6.5, 1}, {3.7, 1.1}}), polygon({{3.7, 1.1}, {6.5, 1}, {6, 2.1}, {4, 2}}),
+                                                     polygon({{4.5, 2.025}, {5.5, 2.075}, {5, 3}})});
+    const Solid solid = b.finish(use(b.shape(shape::Extrusion{profile, 0, 10, 400, Vec2(1), 20})));
+    const MeshResult made = meshed(solid);
+    CHECK(made.report.components == 1);
+    const Agreement a = agreement(solid, made, made.mesh);
+    CHECK(a.agree);
+    // Nothing gapes between the polygons: the area is the mesh's.
+    CHECK(a.area_spans.value == Approx(a.area_mesh.value).margin(4 * a.area_spans.error));
+}
+
+TEST_CASE("arcs drawn beside chords of other arcs leave no films") {
+    SolidBuilder b;
+    const NodeId disc = b.shape(shape::Disc{10}), wide = b.shape(shape::Rectangle{{-20, 3}, {20, 20}});
+    const NodeId cap = b.combine(SetOp::kIntersection, {use(disc), use(wide)});
+    const double x = std::sqrt(91.0);
+    const NodeId body = b.shape(shape::Polygon{std::make_shared<const Contours>(Contours{{{-x, 3}, {-7, -6}, {7, -6}, {x, 3}}})});
+    const NodeId profile = b.combine(SetOp::kUnion, {use(body), use(cap), use(body, Placement::translation({0.1, 0, 0}))});
+    const Solid solid = b.finish(use(b.shape(shape::Extrusion{profile, 0, 5, 0, Vec2(1), 0}), tilted(25)));
+    const MeshResult made = meshed(solid);
+    CHECK(made.report.components == 1);
+    CHECK(made.report.genus == 0);
+    CHECK(agreement(solid, made, made.mesh).agree);
 }
 
 TEST_CASE("flat solids are allowed rounding alone") {

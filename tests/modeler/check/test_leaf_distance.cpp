@@ -1,6 +1,7 @@
 // test_leaf_distance.cpp — distances to leaves' boundaries against points moved off the surface by a known length.
 #include <cmath>
 
+#include "csg/solid/facets.h"
 #include "modeler/check/leaf_distance.h"
 #include "modeler/check/nearest_point.h"
 #include "tests/modeler/check/check_solids.h"
@@ -102,4 +103,33 @@ TEST_CASE("a twist in slices is measured against its facets") {
     CHECK(nearest(solid, {0, 0, 3.5}) == Approx(0.5));
     CHECK(nearest(solid, {-std::sqrt(2), 0, 2}) < 1e-12);  // a corner, turned by half of the twist
     CHECK(nearest(solid, {1, 1, 0}) < 1e-12);
+}
+
+TEST_CASE("beside a face that is stretched unevenly, distances are those of geometry down to rounding") {
+    // A letter as text makes it: whole numbers, made small in its own plane.
+    SolidBuilder b;
+    const NodeId bar = b.shape(shape::Polygon{std::make_shared<const Contours>(Contours{{{0, 0}, {700000, 100000}, {700000, 200000}, {0, 100000}}})});
+    const NodeId letter = b.combine(SetOp::kUnion, {use(bar, Placement{{1e-4, 0, 0, 3, 0, 1e-4, 0, 0, 0, 0, 1, 0}})});
+    const NodeId swept = b.shape(shape::Extrusion{letter, 0, 5, 0, Vec2(1), 0});
+    const auto letters = LeafDistances::of(b.finish(use(swept)));
+    REQUIRE(letters);
+    const Solid cube = one_shape(shape::Box{Vec3(0), Vec3(1)}, Placement{{100, 3, 0, 0, 0, 1, 0, 0, 0, 0.5, 7, 0}});
+    const auto cubes = LeafDistances::of(cube);
+    REQUIRE(cubes);
+    const Vec3 normal = glm::normalize(Vec3(1, -7, 0)), side = glm::normalize(glm::cross(Vec3(3, 1, 0.5), Vec3(0, 0, 7)));
+    for (const double off : {1e-3, 1e-6, 1e-9, 1e-11}) {
+        const auto wall = letters->nearest(Vec3(3 + 35, 5, 2.5) + off * normal, 1, 1e-2, 4);
+        CHECK(wall.distance == Approx(off).epsilon(1e-3).margin(1e-13));
+        const auto face = cubes->nearest(apply_to_point(Placement{{100, 3, 0, 0, 0, 1, 0, 0, 0, 0.5, 7, 0}}, {1, 0.5, 0.5}) + off * side, 1, 1e-2, 4);
+        CHECK(face.distance == Approx(off).epsilon(1e-3).margin(1e-13));
+    }
+}
+
+TEST_CASE("facets far and near are measured alike") {
+    const Solid ball = one_shape(shape::FacetedBall{2, 30}, tilted(40, {1, 2, 3}));
+    CHECK(nearest(ball, {1, 2, 3}) == Approx(2 * std::cos(M_PI / 30)).epsilon(1e-2));
+    const auto leaves = LeafDistances::of(ball);
+    REQUIRE(leaves);
+    CHECK(leaves->nearest({1, 2, 503}, 1e-9, 1e-9, 4).distance == Approx(498).epsilon(1e-3));
+    CHECK(leaves->nearest({1, 2, 503}, 1e-9, 1e-9, 4).ratio > 1);
 }
