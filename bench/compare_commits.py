@@ -22,7 +22,7 @@ def build(commit, folder, jobs, target):
         run(['git', 'worktree', 'add', '--detach', '--quiet', tree, name])
     out = os.path.join(tree, 'build')
     here = {**os.environ, 'CCACHE_BASEDIR': tree}
-    run(['cmake', '-S', tree, '-B', out, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DWHITTLE_BENCH=ON', '-DWHITTLE_TESTS=OFF'], stdout=subprocess.DEVNULL, env=here)
+    run(['cmake', '--preset', 'release', '-B', out, '-DWHITTLE_BENCH=ON', '-DWHITTLE_TESTS=OFF'], stdout=subprocess.DEVNULL, cwd=tree, env=here)
     run(['ninja', '-C', out, f'-j{jobs}', target], stdout=subprocess.DEVNULL, env=here)
     return name, out
 

