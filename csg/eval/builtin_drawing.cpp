@@ -37,8 +37,13 @@ std::optional<Asked> asked(FunctionCall& call) {
 template <class Read>
 auto read(FunctionCall& call, Read reader) -> std::optional<typename decltype(reader(std::declval<Imports&>(), std::declval<const Asked&>()))::value_type> {
     const auto what = asked(call);
+    if (!what) return std::nullopt;
+    if (!call.machine.outside().exists(what->path)) {
+        call.machine.warn(call.place, "Can't open DXF file '" + call.machine.name_of_file(what->path) + "'!");
+        return std::nullopt;
+    }
     Imports* imports = call.machine.outside().imports();
-    if (!what || !imports) return std::nullopt;
+    if (!imports) return std::nullopt;
     auto found = reader(*imports, *what);
     if (found) return *found;
     call.machine.warn(call.place, found.error().message);

@@ -113,9 +113,15 @@ struct Passed {
     TermId value = kNone;
 };
 
+// What is wrong with the arguments of a call, in OpenSCAD's words; `unknown` is a name that is no parameter's.
+struct Complaint {
+    std::string text;
+    NameId unknown = kNoName;
+};
+
 struct Matched {
     std::vector<Passed> passed;            // in the order of evaluation
-    std::vector<std::string> complaints;   // warnings
+    std::vector<Complaint> complaints;
     struct Default { std::uint32_t slot; TermId value; };
     std::vector<Default> defaults;         // of a plain call: the parameters that are not given
     std::uint64_t given = 0;               // which of the first 64 parameters

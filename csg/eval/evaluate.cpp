@@ -1,5 +1,6 @@
 #include "csg/eval/evaluate.h"
 
+#include <filesystem>
 #include <new>
 
 #include "csg/eval/large_stack.h"
@@ -7,6 +8,8 @@
 #include "csg/eval/machine.h"
 #include "csg/eval/parameters.h"
 #include "csg/eval/read_program.h"
+#include "csg/eval/value_text.h"
+#include "csg/lang/print_program.h"
 
 namespace whittle {
 
@@ -86,6 +89,30 @@ Result<Evaluated> evaluate(const EvaluateInput& input, Outside& outside) {
     Result<Parsed> parsed = parse(input, outside);
     if (!parsed) return tl::unexpected<Error>(parsed.error());
     return evaluate(std::move(*parsed), input, outside);
+}
+
+namespace {
+
+template <class Print>
+Result<std::string> printed(const Parsed& parsed, Print print) {
+    std::string out;
+    const bool ran = run_on_large_stack([&] {
+        const ast::Ast& tree = parsed.program->files[0]->ast;
+        out = print(tree, parsed.program->names, custom_variables(tree, parsed.sources.files[0].text, 0));
+    });
+    if (!ran) return fail(Fault::kWorld, "no memory for the printer's stack");
+    return out;
+}
+
+}  // namespace
+
+Result<std::string> ast_text(const Parsed& parsed) {
+    return printed(parsed, [](const ast::Ast& tree, const Names& names, const auto& variables) { return print_program(tree, names, variables, append_number); });
+}
+
+Result<std::string> parameters_text(const Parsed& parsed) {
+    const std::string title = std::filesystem::path(parsed.sources.files[0].path).stem().string();
+    return printed(parsed, [&title](const ast::Ast& tree, const Names& names, const auto& variables) { return print_parameters(tree, names, variables, title); });
 }
 
 std::string echo_text(const Diagnostics& diagnostics, const SourceTable& sources) {

@@ -76,6 +76,11 @@ Evaluated evaluate(Parsed parsed, const EvaluateInput& input, Outside& outside);
 // Both steps.
 Result<Evaluated> evaluate(const EvaluateInput& input, Outside& outside);
 
+// What parse() read, back as text (`-o x.ast`), and the parameters that its comments declare as JSON (`-o x.param`). The walks need the stack of parse().
+// Requires: parsed.program.
+Result<std::string> ast_text(const Parsed& parsed);
+Result<std::string> parameters_text(const Parsed& parsed);
+
 // The text that `-o x.echo` writes: every message a line, as OpenSCAD formats it.
 std::string echo_text(const Diagnostics& diagnostics, const SourceTable& sources);
 

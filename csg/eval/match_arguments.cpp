@@ -44,7 +44,7 @@ Matched match_arguments(const std::vector<NameId>& arguments, const Callee& call
         if (name == kNoName) {
             if (next == callee.skipped) ++next;
             if (next >= callee.positional) {
-                if (!too_many) out.complaints.push_back("Too many unnamed arguments supplied");
+                if (!too_many) out.complaints.push_back({"Too many unnamed arguments supplied"});
                 too_many = true;
                 continue;
             }
@@ -52,8 +52,8 @@ Matched match_arguments(const std::vector<NameId>& arguments, const Callee& call
         } else {
             const auto same = [name](const Parameter& p) { return p.name == name; };
             if (!names.is_dynamic(name) && std::none_of(callee.parameters.begin(), callee.parameters.end(), same))
-                out.complaints.push_back("variable " + names.text(name) + " not specified as parameter");
-            if (by_name.count(names.text(name))) out.complaints.push_back("argument " + names.text(name) + " supplied more than once");
+                out.complaints.push_back({"variable " + names.text(name) + " not specified as parameter", name});
+            if (by_name.count(names.text(name))) out.complaints.push_back({"argument " + names.text(name) + " supplied more than once"});
         }
         Passed passed = goal_of(name, callee, names, dynamic_of);
         passed.value = i;

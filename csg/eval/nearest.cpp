@@ -84,10 +84,30 @@ std::string hint_for_module(const code::Program& program, const Names& names, Na
     return suggestion(names.text(name), known);
 }
 
-std::string hint_of_signature(const Names& names, NameId callee, const std::vector<code::Parameter>& parameters) {
+namespace {
+
+// "did you mean 'near'? expected signature", as far as there is something to say.
+std::string joined_hint(const Names& names, const code::Complaint& complaint, const std::vector<std::string>& known, const std::string& expected) {
+    std::string out = complaint.unknown == kNoName ? std::string() : suggestion(names.text(complaint.unknown), known);
+    if (!out.empty() && !expected.empty()) out += " ";
+    return out + expected;
+}
+
+}  // namespace
+
+std::string hint_of_complaint(const Names& names, const code::Complaint& complaint, const BuiltinModule& callee) {
+    std::vector<std::string> known;
+    for (const std::string_view list : {callee.positional, callee.named})
+        for (const std::string_view name : split_names(list)) known.emplace_back(name);
+    return joined_hint(names, complaint, known, callee.signature.empty() ? std::string() : "expected " + std::string(callee.signature));
+}
+
+std::string hint_of_complaint(const Names& names, const code::Complaint& complaint, NameId callee, const std::vector<code::Parameter>& parameters) {
+    std::vector<std::string> known;
+    for (const code::Parameter& p : parameters) known.push_back(names.text(p.name));
     std::string out = "expected " + (callee == kNoName ? std::string("function") : names.text(callee)) + "(";
     for (std::size_t i = 0; i < parameters.size(); ++i) out += (i > 0 ? ", " : "") + names.text(parameters[i].name);
-    return out + ")";
+    return joined_hint(names, complaint, known, out + ")");
 }
 
 }  // namespace whittle

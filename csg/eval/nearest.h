@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "csg/eval/builtin.h"
 #include "csg/eval/code.h"
 
 namespace whittle {
@@ -12,7 +13,8 @@ std::string hint_for_variable(const code::Program& program, const Names& names, 
 std::string hint_for_function(const code::Program& program, const Names& names, NameId name);
 std::string hint_for_module(const code::Program& program, const Names& names, NameId name);
 
-// How a function or module of the author's is called: "expected wheel(r, width)".
-std::string hint_of_signature(const Names& names, NameId callee, const std::vector<code::Parameter>& parameters);
+// How a function or module is called, behind the parameter that an unknown name may mean: "did you mean 'width'? expected wheel(r, width)".
+std::string hint_of_complaint(const Names& names, const code::Complaint& complaint, NameId callee, const std::vector<code::Parameter>& parameters);
+std::string hint_of_complaint(const Names& names, const code::Complaint& complaint, const BuiltinModule& callee);
 
 }  // namespace whittle

@@ -31,6 +31,18 @@ std::string ProgramReader::name_of(const std::string& path) const {
     return relative.empty() ? path : relative.string();
 }
 
+// OpenSCAD's message names no place: the hint does, with the line itself, and where was looked.
+void ProgramReader::warn_missing(const char* what, const std::string& asked, SourcePlace place, const std::string& why) {
+    std::string hint = "asked for in file " + out_.sources.files[place.file].name + ", line " + std::to_string(place.line);
+    if (!why.empty()) {
+        hint += "; " + why;
+    } else if (!fs::path(asked).is_absolute()) {
+        hint += "; looked beside that file";
+        for (const std::string& library : input_.library_paths) hint += ", in " + library;
+    }
+    out_.diagnostics.add(Severity::kWarning, {}, std::string("Can't open ") + what + " '" + asked + "'.", hint);
+}
+
 // Beside the file that asks, then in the library folders; empty when nowhere.
 std::string ProgramReader::find(const std::string& path, const std::string& folder) const {
     if (fs::path(path).is_absolute()) return outside_.exists(path) ? path : std::string();
@@ -58,7 +70,7 @@ std::vector<Token> ProgramReader::tokens_of(std::uint32_t source, StringPool& st
         if (token.kind == Tok::kUse) {
             const std::string& asked = strings[token.text];
             const std::string found = is_own_library(asked) ? asked : find(asked, folder);
-            if (found.empty()) out_.diagnostics.add(Severity::kWarning, {}, "Can't open library '" + asked + "'.");
+            if (found.empty()) warn_missing("library", asked, token.place, {});
             else if (is_font(asked)) program_.fonts.push_back(found);
             else if (!is_own_library(asked)) wanted_.emplace_back(found, token.place);
         }
@@ -72,12 +84,12 @@ void ProgramReader::include(const Token& token, const std::string& path, const s
     const std::string asked = path;
     const std::string found = find(asked, folder);
     if (found.empty() || open_.count(found)) {
-        out_.diagnostics.add(Severity::kWarning, {}, "Can't open include file '" + asked + "'.", found.empty() ? "" : "it is being read already: files include each other");
+        warn_missing("include file", asked, token.place, found.empty() ? "" : "it is being read already: files include each other");
         return;
     }
     Result<std::string> text = outside_.read_text(found);
     if (!text) {
-        out_.diagnostics.add(Severity::kWarning, {}, "Can't open include file '" + asked + "'.", text.error().message);
+        warn_missing("include file", asked, token.place, text.error().message);
         return;
     }
     if (open_.size() >= kMaxIncludeDepth || out_.sources.files.size() >= kMaxSources) {
@@ -117,7 +129,6 @@ bool ProgramReader::parse_file(std::uint32_t index, std::vector<Token> tokens, S
 bool ProgramReader::run(std::string main_text) {
     program_.files.push_back(std::make_unique<FileSyntax>());
     program_.files[0]->path = input_.path;
-    open_.insert(fs::path(input_.path).lexically_normal().string());
     const std::uint32_t source = add_source(input_.path, std::move(main_text));
     StringPool strings;
     std::vector<Token> tokens = tokens_of(source, strings);

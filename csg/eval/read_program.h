@@ -39,6 +39,7 @@ private:
     std::uint32_t use(const std::string& path);
     std::string find(const std::string& path, const std::string& folder) const;
     std::string name_of(const std::string& path) const;
+    void warn_missing(const char* what, const std::string& asked, SourcePlace place, const std::string& why);
 
     const EvaluateInput& input_;
     Outside& outside_;

@@ -36,7 +36,7 @@ void Machine::set_parameters(NameId callee, const std::vector<Parameter>& parame
         else frames.into->slots()[p.target] = std::move(value);
     }
     if (input_.check_parameters)
-        for (const std::string& complaint : matched.complaints) warn(place, complaint, hint_of_signature(names_, callee, parameters));
+        for (const Complaint& complaint : matched.complaints) warn(place, complaint.text, hint_of_complaint(names_, complaint, callee, parameters));
     for (const Passed& p : matched.passed) {
         Value value = eval(p.value, frames.caller);
         if (p.to == Passed::To::kParameter || p.to == Passed::To::kSlot) frames.into->slots()[p.target] = std::move(value);

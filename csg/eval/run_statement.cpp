@@ -111,8 +111,7 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
     if (children && inst.refuses_children && !(children->insts.empty() && children->binds.empty()))
         warn(inst.place, "module " + std::string(builtin.name) + "() does not support child modules");
     if (input_.check_parameters && inst.checks_arguments)
-        for (const std::string& complaint : inst.matched.complaints)
-            warn(inst.place, complaint, builtin.signature.empty() ? std::string() : "expected " + std::string(builtin.signature));
+        for (const Complaint& complaint : inst.matched.complaints) warn(inst.place, complaint.text, hint_of_complaint(names_, complaint, builtin));
     const std::size_t base = stack_.size();
     stack_.resize(base + inst.parameters);
     for (const Passed& p : inst.matched.passed) {

@@ -46,7 +46,7 @@ public:
             case ExprKind::kTrue: out_ += "true"; return;
             case ExprKind::kFalse: out_ += "false"; return;
             case ExprKind::kNumber: number_(out_, e.number); return;
-            case ExprKind::kString: print_string(tree_.strings[e.a]); return;
+            case ExprKind::kString: out_ += quoted(tree_.strings[e.a]); return;
             case ExprKind::kName: out_ += names_.text(e.a); return;
             case ExprKind::kUnary: parts({operator_text(e.op)}), print(e.a); return;
             case ExprKind::kBinary: print_infix(e); return;
@@ -60,7 +60,7 @@ public:
             case ExprKind::kAssert: headed("assert(", e, ")"); return;
             case ExprKind::kEcho: headed("echo(", e, ")"); return;
             case ExprKind::kFunction: parts({"function("}), arguments({e.b, e.c}), parts({") "}), print(e.a); return;
-            case ExprKind::kFor: headed("for(", e, ") ("), parts({")"}); return;
+            case ExprKind::kFor: print_for(e); return;
             case ExprKind::kForC: print_for_c(tree_.for_c[e.a]); return;
             case ExprKind::kIfElement: print_if(e); return;
             case ExprKind::kEach: parts({"each ("}), print(e.a), parts({")"}); return;
@@ -68,10 +68,6 @@ public:
         }
     }
 
-private:
-    void parts(std::initializer_list<std::string_view> texts) {
-        for (const std::string_view t : texts) out_ += t;
-    }
     void arguments(ArgumentRange range) {
         for (std::uint32_t i = 0; i < range.count; ++i) {
             const Argument& a = tree_.arguments[range.first + i];
@@ -80,6 +76,11 @@ private:
             if (a.name != kNoName && a.value != kNone) out_ += " = ";
             if (a.value != kNone) print(a.value);
         }
+    }
+
+private:
+    void parts(std::initializer_list<std::string_view> texts) {
+        for (const std::string_view t : texts) out_ += t;
     }
     // head arguments tail body
     void headed(const char* head, const Expr& e, const char* tail) {
@@ -95,17 +96,6 @@ private:
         if (!named) out_ += "(";
         print(id);
         if (!named) out_ += ")";
-    }
-    void print_string(const std::string& text) {
-        out_ += '"';
-        for (const char c : text) {
-            if (c == '\n') out_ += "\\n";
-            else if (c == '\t') out_ += "\\t";
-            else if (c == '\r') out_ += "\\r";
-            else if (c == '"' || c == '\\') (out_ += '\\') += c;
-            else out_ += c;
-        }
-        out_ += '"';
     }
     void print_infix(const Expr& e) {
         out_ += "(";
@@ -138,6 +128,12 @@ private:
         out_ += ")";
         if (e.c != kNone) parts({" else ("}), print(e.c), parts({")"});
     }
+    // Several variables are loops in each other.
+    void print_for(const Expr& e) {
+        for (std::uint32_t i = 0; i < e.c; ++i) parts({"for("}), arguments({e.b + i, 1}), parts({") ("});
+        print(e.a);
+        out_.append(e.c, ')');
+    }
     void print_for_c(const ForC& loop) {
         out_ += "for(";
         arguments(loop.init);
@@ -159,6 +155,22 @@ private:
 
 void print_expression(std::string& out, const Ast& tree, ExprId id, const Names& names, void (*number)(std::string&, double)) {
     Printer(out, tree, names, number).print(id);
+}
+
+void print_arguments(std::string& out, const Ast& tree, ArgumentRange range, const Names& names, void (*number)(std::string&, double)) {
+    Printer(out, tree, names, number).arguments(range);
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '\n') out += "\\n";
+        else if (c == '\t') out += "\\t";
+        else if (c == '\r') out += "\\r";
+        else if (c == '"' || c == '\\') (out += '\\') += c;
+        else out += c;
+    }
+    return out + "\"";
 }
 
 }  // namespace whittle

@@ -13,5 +13,9 @@ const char* operator_text(ast::Op op);
 
 // Every operation of two or three operands in parentheses; numbers to six digits by `number`.
 void print_expression(std::string& out, const ast::Ast& tree, ast::ExprId id, const Names& names, void (*number)(std::string&, double));
+// `name = value, value`
+void print_arguments(std::string& out, const ast::Ast& tree, ast::ArgumentRange range, const Names& names, void (*number)(std::string&, double));
+// In quotes, with escapes.
+std::string quoted(const std::string& text);
 
 }  // namespace whittle

@@ -101,6 +101,19 @@ Result<Evaluated> read_text_of_scene(Session& session, Preview preview) {
     return evaluated;
 }
 
+Result<Parsed> read_syntax_of_scene(Session& session) {
+    auto input = input_of(session, {});
+    if (!input) return tl::unexpected<Error>(input.error());
+    Files files;
+    auto parsed = parse(*input, files);
+    if (!parsed) return fail(parsed.error().fault, fmt::format("Can't open input file '{}': {}", input->path, parsed.error().message));
+    session.console.tell(parsed->diagnostics, parsed->sources);
+    if (auto written = write_dependencies(session.request, parsed->files_read); !written) return tl::unexpected<Error>(written.error());
+    if (parsed->program) return parsed;
+    session.console.line(fmt::format("Can't parse file '{}'!", input->path));
+    return told(Fault::kScene);
+}
+
 Result<ReadScene> read_scene(Session& session, Preview preview) {
     auto evaluated = read_text_of_scene(session, preview);
     if (!evaluated) return tl::unexpected<Error>(evaluated.error());

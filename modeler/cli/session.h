@@ -44,6 +44,9 @@ struct Preview {
 // Text → scene only, its messages told and the -d file written. A run that stopped early is no error here: see `stop`.
 Result<Evaluated> read_text_of_scene(Session& session, Preview preview);
 
+// The syntax only: nothing is run, what is wrong with the text is told. An error where it is no program.
+Result<Parsed> read_syntax_of_scene(Session& session);
+
 // Reads the scene of the request, --clip applied. An error means that nothing can be made; its message is empty where all was told.
 Result<ReadScene> read_scene(Session& session, Preview preview = {});
 

@@ -15,7 +15,7 @@ namespace whittle {
 
 namespace {
 
-enum class Job { kPicture, kMesh, kScene, kDrawing, kCsg, kEcho, kNotYet, kUnknown };
+enum class Job { kPicture, kMesh, kScene, kDrawing, kCsg, kEcho, kAst, kParameters, kNotYet, kUnknown };
 
 std::string format_of(const std::string& path, const std::string& format_name) {
     std::string format = format_name;
@@ -36,7 +36,9 @@ Job job_of(const std::string& format) {
     if (is_drawing_format(format)) return Job::kDrawing;
     if (format == "csg") return Job::kCsg;
     if (format == "echo") return Job::kEcho;
-    if (among({"nef3", "nefdbg", "ast", "param", "term", "wrl"})) return Job::kNotYet;
+    if (format == "ast") return Job::kAst;
+    if (format == "param") return Job::kParameters;
+    if (among({"nef3", "nefdbg", "term", "wrl"})) return Job::kNotYet;
     return Job::kUnknown;
 }
 
@@ -57,8 +59,23 @@ Exit write_csg(Session& session, const std::string& path) {
     return written ? Exit::kDone : give_up(session, written.error());
 }
 
+// The program as it was read, or the parameters it declares: nothing is run.
+Exit write_syntax(Session& session, const std::string& path, Job job) {
+    const auto parsed = read_syntax_of_scene(session);
+    if (!parsed) return give_up(session, parsed.error());
+    const auto text = job == Job::kAst ? ast_text(*parsed) : parameters_text(*parsed);
+    if (!text) return give_up(session, text.error());
+    const auto written = write_output(path, *text);
+    return written ? Exit::kDone : give_up(session, written.error());
+}
+
+Exit write_text(Session& session, const std::string& path, Job job) {
+    if (job == Job::kCsg) return write_csg(session, path);
+    return job == Job::kEcho ? write_echo(session, path) : write_syntax(session, path, job);
+}
+
 Exit refuse(Session& session, const std::string& path, Job job) {
-    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply 3mf amf glb om svg dxf pdf pov csg echo";
+    const char* why = job == Job::kNotYet ? "this format is not supported yet" : "unknown suffix; known are png exr jpg tif stl off obj ply 3mf amf glb om svg dxf pdf pov csg echo ast param";
     return give_up(session, {Fault::kCommand, fmt::format("'{}': {}", path, why)});
 }
 
@@ -79,7 +96,7 @@ Exit run_convert(Session& session) {
         else texts.emplace_back(path, job);
     }
     Exit done = Exit::kDone;
-    for (const auto& [path, job] : texts) done = worse(done, job == Job::kCsg ? write_csg(session, path) : write_echo(session, path));
+    for (const auto& [path, job] : texts) done = worse(done, write_text(session, path, job));
     if (!meshes.empty()) done = worse(done, mesh_outputs(session, meshes, request.mesh.encoding != MeshEncoding::kBinary));
     for (const auto& exports : {scenes, drawings})
         if (!exports.empty()) done = worse(done, export_outputs(session, exports));

@@ -13,7 +13,7 @@ _whittle() {
         --integrator) COMPREPLY=($(compgen -W "auto preview whitted distributed path caustics cone" -- "$current")); return ;;
         --aov) COMPREPLY=($(compgen -W "depth position normal solid surface albedo spans thickness certified cost variance" -- "$current")); return ;;
         --check-parameters) COMPREPLY=($(compgen -W "true false" -- "$current")); return ;;
-        --export-format) COMPREPLY=($(compgen -W "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo" -- "$current")); return ;;
+        --export-format) COMPREPLY=($(compgen -W "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo ast param" -- "$current")); return ;;
         -o | -d | -p | --stats | --rays) COMPREPLY=($(compgen -f -- "$current")); return ;;
     esac
     case $verb in

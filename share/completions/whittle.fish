@@ -55,7 +55,7 @@ complete -c whittle -n "__fish_seen_subcommand_from check" -l lines -r -d 'Lines
 complete -c whittle -n "__fish_seen_subcommand_from check" -l suite -d 'Check all the scenes named, and those in folders named: a row each'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l ray -r -d 'Origin and direction (of any length; t is in units of it)'
 complete -c whittle -n "__fish_seen_subcommand_from spans" -l rays -r -d 'One ray a line: ox oy oz dx dy dz; - is standard input'
-complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo" -d 'Format of the output, instead of its suffix'
+complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo ast param" -d 'Format of the output, instead of its suffix'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l check-parameters -r -a "true false" -d 'Warn of unknown and surplus arguments'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l animate -r -d 'Makes N outputs, name00000.png and on, with $t = 0, 1/N, 2/N ...'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l csglimit -r -d 'Taken and passed over: no scene is too large to show'

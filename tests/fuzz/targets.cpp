@@ -1,10 +1,12 @@
 #include "tests/fuzz/targets.h"
 
 #include <array>
+#include <new>
 #include <string>
 
 #include "csg/eval/dump_csg.h"
 #include "csg/eval/evaluate.h"
+#include "csg/eval/json_value.h"
 #include "modeler/io/dxf.h"
 #include "modeler/io/heights.h"
 #include "modeler/io/svg.h"
@@ -53,6 +55,22 @@ void run_3mf(std::string_view bytes) { (void)read_3mf(bytes); }
 void run_amf(std::string_view bytes) { (void)read_amf(bytes); }
 void run_dxf(std::string_view bytes) { (void)read_dxf(std::string(bytes), {}); }
 void run_svg(std::string_view bytes) { (void)read_svg(std::string(bytes), {}); }
+void run_json(std::string_view bytes) {
+    Heap heap;
+    heap.set_limit(std::uint64_t{64} << 20);
+    try {
+        (void)json_value(heap, bytes);
+    } catch (const std::bad_alloc&) {
+    }
+}
+// What a reader of the syntax does not run: the program back as text, and its customizer.
+void run_syntax(std::string_view bytes) {
+    Nothing outside;
+    const auto parsed = parse(input_of(bytes), outside);
+    if (!parsed || !parsed->program) return;
+    (void)ast_text(*parsed);
+    (void)parameters_text(*parsed);
+}
 void run_heights(std::string_view bytes) { (void)read_heights(std::string(bytes)); }
 
 constexpr std::array kTargets = std::to_array<Target>({
@@ -67,6 +85,8 @@ constexpr std::array kTargets = std::to_array<Target>({
     {"dxf", run_dxf},
     {"svg", run_svg},
     {"heights", run_heights},
+    {"json", run_json},
+    {"syntax", run_syntax},
 });
 
 }  // namespace

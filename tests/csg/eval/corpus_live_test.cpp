@@ -39,6 +39,7 @@ TEST_CASE("the stored answers of the corpus are what the OpenSCAD program says",
         CHECK(answer(name, folder / "answer.echo") == DiscFiles().read_text((kCorpus / (name + ".echo")).string()).value_or(""));
         if (const fs::path csg = kCorpus / (name + ".csg"); fs::exists(csg))
             CHECK(undated(answer(name, folder / "answer.csg")) == DiscFiles().read_text(csg.string()).value_or(""));
+        if (const fs::path ast = kCorpus / (name + ".ast"); fs::exists(ast)) CHECK(answer(name, folder / "answer.ast") == DiscFiles().read_text(ast.string()).value_or(""));
         ++compared;
     }
     fs::remove_all(folder);

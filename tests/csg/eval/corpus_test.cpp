@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
@@ -55,7 +56,7 @@ Evaluated evaluated(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(scenes().size() >= 260); }
+TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(scenes().size() >= 280); }
 
 TEST_CASE("messages of the corpus are OpenSCAD's") {
     for (const std::string& name : scenes()) {
@@ -74,6 +75,50 @@ TEST_CASE("flattened scenes of the corpus are OpenSCAD's") {
         const std::string ours = dump_csg(evaluated(name).scene);
         if (kBetterCsg.count(name)) CHECK(ours != stored(name + ".csg"));
         else CHECK(ours == stored(name + ".csg"));
+    }
+}
+
+TEST_CASE("programs of the corpus are written back as OpenSCAD writes them, comments of the customizer included") {
+    int compared = 0;
+    for (const std::string& name : scenes()) {
+        if (!fs::exists(kCorpus / (name + ".ast"))) continue;
+        INFO(name);
+        DiscFiles files;
+        EvaluateInput input;
+        input.path = (kCorpus / (name + ".scad")).string();
+        CHECK(*ast_text(*parse(input, files)) == stored(name + ".ast"));
+        ++compared;
+    }
+    CHECK(compared >= 2);
+}
+
+TEST_CASE("every fact of the language has tests, and every scene of the corpus a fact") {
+    std::set<std::string> flat, named;
+    std::istringstream geometry(DiscFiles().read_text(WHITTLE_SOURCE_DIR "/tests/geometry/corpus.txt").value_or(""));
+    for (std::string line; std::getline(geometry, line);) flat.insert(line.substr(0, line.find(':')));
+    std::istringstream facts(stored("facts.txt"));
+    int count = 0;
+    for (std::string line; std::getline(facts, line);) {
+        const std::size_t bar = line.rfind(" | ");
+        if (line.empty() || line[0] == '#') continue;
+        INFO(line);
+        REQUIRE(bar != std::string::npos);
+        ++count;
+        std::istringstream tests(line.substr(bar + 3));
+        int found = 0;
+        for (std::string name; tests >> name; ++found) {
+            CAPTURE(name);
+            if (name.rfind("geometry:", 0) == 0) CHECK(flat.count(name.substr(9)) == 1);
+            else if (name.find('/') != std::string::npos) CHECK(fs::exists(fs::path(WHITTLE_SOURCE_DIR) / name));
+            else CHECK(fs::exists(kCorpus / (name + ".scad")));
+            named.insert(name);
+        }
+        CHECK(found > 0);
+    }
+    CHECK(count >= 100);
+    for (const std::string& name : scenes()) {
+        INFO(name);
+        CHECK(named.count(name) == 1);
     }
 }
 

@@ -149,7 +149,7 @@ TEST_CASE("an unknown name is answered with the nearest known one") {
 TEST_CASE("a wrong argument is answered with the signature") {
     CHECK(hint_of("cube(1, foo=2);") == "expected cube(size, center)");
     CHECK(hint_of("echo(sin(1,2));") == "expected sin(degrees) -> number");
-    CHECK(hint_of("module wheel(r, width) {} wheel(1, widht=2);") == "expected wheel(r, width)");
+    CHECK(hint_of("module wheel(r, width) {} wheel(1, widht=2);") == "did you mean 'width'? expected wheel(r, width)");
     CHECK(hint_of("function f(a, b=1) = a; echo(f(1, 2, 3));") == "expected f(a, b)");
     CHECK(hint_of("f = function(x) x; echo(f(1, y=2));") == "expected f(x)");
 }

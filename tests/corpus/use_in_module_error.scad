@@ -1,0 +1,2 @@
+module m() { use <lib.scad> cube(); }
+m();
