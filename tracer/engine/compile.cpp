@@ -55,6 +55,22 @@ bool is_convex(const std::vector<Vec2>& contour) {
 // Of an edge of a counter-clockwise contour: does its support, as Placer::edge_plane() makes it, have the outside where others have the inside?
 bool is_outside_of_its_support(Vec2 a, Vec2 b) { return a.x == b.x ? b.y < a.y : a.y == b.y ? a.x < b.x : b.x < a.x; }
 
+// All parts of an AND hold wherever it does, so whose matter is there is known beforehand.
+void describe_flat(Program& program) {
+    if (program.empty || program.everything || program.root.is_leaf()) return;
+    const Group& g = program.groups[program.root.index()];
+    program.flat = true;
+    const auto look_at = [&](Ref ref) {
+        program.flat = program.flat && ref.is_leaf();
+        if (!ref.is_leaf() || !g.is_and || !program.leaves[ref.index()].fills) return;
+        const std::uint32_t use = program.leaves[ref.index()].use;
+        std::uint32_t& first = program.flat_matter;
+        if (first == Group::kNoUse || program.matter_order[use] < program.matter_order[first]) first = use;
+    };
+    for (std::uint32_t i = 0; i < g.plain_count; ++i) look_at(program.refs[g.first_plain + i]);
+    for (std::uint32_t i = 0; i < g.item_count; ++i) look_at(program.refs[g.first_item + i]);
+}
+
 class Compiler {
 public:
     Compiler(Formula formula, const EngineOptions& options) : formula_(std::move(formula)), classes_(find_classes(formula_.table, options.snap)) {
@@ -83,6 +99,7 @@ public:
             program_.report.warnings.push_back(std::to_string(emptied_) + " parts are thinner than the snap and vanished; --no-snap keeps them");
         program_.classes = std::move(classes_.supports);
         program_.frames = std::move(formula_.table.frames);
+        describe_flat(program_);
         describe_for_packets(program_);
         if (program_.makes(EnginePass::kCells)) divide_space(program_);
         return std::make_shared<const Program>(std::move(program_));
@@ -176,6 +193,10 @@ private:
                 node.first += node.count > 0 ? g.first_item : g.hierarchy;
                 program_.nodes.push_back(node);
             }
+            std::vector<FloatBox> own;
+            own.reserve(boxes.size());
+            for (const std::uint32_t i : h.order) own.push_back(outward(boxes[i]));
+            g.wide = widen(h, own, g.first_item, program_.wide);
         }
         if (g.bounded && g.outside_value != g.is_and)
             for (const auto* refs : {&plain, &items})

@@ -9,6 +9,7 @@
 #include "tracer/engine/engine.h"
 #include "tracer/engine/formula.h"
 #include "tracer/engine/identity.h"
+#include "tracer/engine/wide.h"
 
 namespace whittle {
 
@@ -51,7 +52,7 @@ struct Group {
     Bounds box;
     std::uint32_t first_plain = 0, plain_count = 0;
     std::uint32_t first_item = 0, item_count = 0;  // into `refs`, in the hierarchy's order
-    std::uint32_t hierarchy = 0;                   // root node in `nodes`, if item_count > 0
+    std::uint32_t hierarchy = 0, wide = 0;         // root nodes in `nodes` and `wide`, if item_count > 0
 };
 
 struct PrismLeaf {
@@ -113,6 +114,7 @@ public:
     std::vector<Ref> refs;
     std::vector<ItemBall> balls;  // one a ref
     std::vector<BoxNode> nodes;
+    std::vector<WideNode> wide;   // the same hierarchies for single rays; their items are numbers of refs
     std::vector<SpaceNode> space;  // root first; empty where cells do not pay
     std::vector<PrismLeaf> prisms;
     std::vector<MeshLeaf> meshes;
@@ -121,6 +123,8 @@ public:
     bool matter_by_author = true;             // no use comes before an earlier one
     bool one_matter = true;                   // all uses that are not subtracted are of one material
     Ref root;
+    bool flat = false;              // the root is a group of leaves only; where it is an AND,
+    std::uint32_t flat_matter = Group::kNoUse;  // this use's matter fills all of it
     bool empty = true;       // nothing inside anywhere
     bool everything = false;
     Bounds bounds;

@@ -33,6 +33,7 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
     }
     if (first != kNone && !program.uses[first].subtracts) return first;
     if (named != kNone) return named;
+    if (program.flat && program.flat_matter != kNone) return program.flat_matter;
     Event inside = at;
     inside.before = !entering;
     const std::uint32_t held = walker.matter_at(program.root, inside);
@@ -53,7 +54,12 @@ Event border_of(const std::vector<Walker::Cause>& causes, const Event& e) {
 End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event& e, bool entering) {
     impl.causes.clear();
     e.before = false;
-    impl.walker.causes(program.root, e, impl.causes);
+    Walker::Cause sole;
+    if (impl.walker.sole_cause(e, sole)) {
+        impl.causes.push_back(sole);
+    } else {
+        impl.walker.causes(program.root, e, impl.causes);
+    }
     if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(e, impl.causes);
     e = border_of(impl.causes, e);
     End end;

@@ -26,6 +26,7 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
     exact_.clear();
     root_ = ray_in_frame(program.frames[0], ray_);
     slab_ = slab_ray(root_.o, root_.d);
+    has_towards_ = false;
     for (std::size_t i = 0; i < 3; ++i) regular_[i] = std::isnormal(slab_.inverse[i]) && std::isfinite(root_.o[i]);
 }
 
@@ -74,6 +75,22 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
     if (decided) return;
     ++counters_->escalated_double_double;
     if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
+}
+
+// The steps of filtered_crossings(), with what balls have in common taken once.
+bool RayContext::crossings(const ItemBall& ball, Crossings& out) {
+    if (ray_.departure != nullptr && leaves(ball.id)) return false;
+    if (!has_towards_) {
+        towards_ = single::round_direction<double, 3>(root_.d, root_.ed);
+        has_towards_ = true;
+    }
+    const auto c = single::round_crossing<double, 3>({root_.o[0] - ball.x, root_.o[1] - ball.y, root_.o[2] - ball.z}, root_.eo, towards_, ball.r);
+    out.count = c.met ? 2 : 0;
+    out.first_sign = c.within ? -1 : 1;
+    out.t = {c.t0, c.t1, 0, 0};
+    out.error = {c.error0, c.error1, 0, 0};
+    if (mutated(Mutation::kNoBounds)) out.error = {};
+    return c.met || c.missed;
 }
 
 const RayContext::Exact& RayContext::exact(ClassId id) {

@@ -42,6 +42,8 @@ public:
         }
         if (mutated(Mutation::kNoBounds)) out.error = {};
     }
+    // The same of an item that is one ball. False: not decidable in double.
+    bool crossings(const ItemBall& ball, Crossings& out);
     // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
     int compare(const Event& a, const Event& b) {
         if (!filter_ && std::isfinite(a.t) && std::isfinite(b.t)) return compare_closely(a, b);
@@ -73,6 +75,8 @@ private:
     EngineCounters* counters_ = nullptr;
     Ray ray_;
     FrameRay root_;
+    single::RoundDirection<double, 3> towards_;  // of the root's direction; made when first asked for
+    bool has_towards_ = false;
     SlabRay slab_;
     bool filter_ = true;             // EnginePass
     std::array<bool, 3> regular_{};  // the direction's coordinate has a finite, normal inverse

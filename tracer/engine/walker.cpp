@@ -2,6 +2,7 @@
 #include "tracer/engine/walker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace whittle {
 
@@ -10,6 +11,10 @@ void Walker::start(const Program& program, const Ray& ray, EngineCounters& count
     far_ = far;
     boxes_ = program.makes(EnginePass::kBoxes);
     occlusion_ = program.makes(EnginePass::kOcclusion);
+    boxes_met_ = boxes_met();
+    waiting_.clear();
+    met_.clear();
+    met_balls_.clear();
     if (slots_.size() != program.leaves.size()) {
         slots_.assign(program.leaves.size(), Slot());
         stamp_ = 0;
@@ -31,6 +36,7 @@ Walker::Changes Walker::leaf_changes(std::uint32_t index) {
     Slot& slot = slots_[index];
     if (slot.stamp != stamp_) {
         slot.stamp = stamp_;
+        met_.push_back(index);
         const Leaf& leaf = context_.program().leaves[index];
         slot.changes.first = static_cast<std::uint32_t>(events_.size());
         const bool initial = leaf_events(leaf, context_, events_);
@@ -72,76 +78,93 @@ Found Walker::next(Ref ref, const Event& cursor, bool want, Event& out) {
     return g.is_and == want ? next_of_all(g, cursor, want, out) : next_of_any(g, cursor, want, out);
 }
 
-// Visits the items of the hierarchy whose boxes the ray meets between `begin` and `end`, which may shrink meanwhile, nearest first by their boxes.
-// True: take(ref) was, and ended it.
+// Visits the items of the hierarchy whose boxes the ray meets in `range`, which may change meanwhile, nearest first by their boxes within a node.
+// True: take(its ref's number) was, and ended it.
 template <class Take>
-bool Walker::each_ahead(const Group& g, double begin, const double& end, Take take) {
+bool Walker::each_item(const Group& g, const Range& range, Take take) {
     if (g.item_count == 0) return false;
     const Program& program = context_.program();
-    EngineCounters& counters = context_.counters();
     std::uint32_t taken = 0;
-    struct Entry {
-        std::uint32_t node;
-        double from;
-    };
-    std::array<Entry, 128> stack;
-    std::size_t top = 0;
-    double from = 0, to = 0;
-    const auto enters = [&](std::uint32_t n) {
-        if (!slab_interval(program.nodes[n].lo, program.nodes[n].hi, context_.slab(), from, to) || to < begin) return false;
-        if (from <= end || !occlusion_) return true;
-        ++counters.skipped_by(EnginePass::kOcclusion);
-        return false;
-    };
-    if (enters(g.hierarchy)) stack[top++] = {g.hierarchy, from};
-    while (top > 0) {
-        const Entry entry = stack[--top];
-        if (entry.from > end && occlusion_) {
-            ++counters.skipped_by(EnginePass::kOcclusion);
+    const std::size_t base = waiting_.size();
+    waiting_.push_back({WideChild::node(g.wide), -HUGE_VAL});
+    while (waiting_.size() > base) {
+        const Waiting next = waiting_.back();
+        waiting_.pop_back();
+        if (next.from > range.end) {
+            ++late_;
             continue;
         }
-        const BoxNode& node = program.nodes[entry.node];
-        if (node.count > 0) {
-            taken += node.count;
-            for (std::uint32_t i = 0; i < node.count; ++i)
-                if (take(program.refs[node.first + i])) return true;
+        if (next.child.is_item()) {
+            ++taken;
+            if (take(next.child.index())) {
+                waiting_.resize(base);
+                return true;
+            }
             continue;
         }
-        const bool left = enters(node.first);
-        const double from_left = from;
-        const bool right = enters(node.first + 1);
-        const double from_right = from;
-        if (left && right) {
-            const bool left_first = from_left <= from_right;
-            stack[top++] = left_first ? Entry{node.first + 1, from_right} : Entry{node.first, from_left};
-            stack[top++] = left_first ? Entry{node.first, from_left} : Entry{node.first + 1, from_right};
-        } else if (left) {
-            stack[top++] = {node.first, from_left};
-        } else if (right) {
-            stack[top++] = {node.first + 1, from_right};
+        const WideNode& node = program.wide[next.child.index()];
+        std::array<double, kWideBoxes> from;
+        std::array<Waiting, kWideBoxes> met;
+        std::size_t count = 0;
+        for (std::uint32_t left = boxes_met_(node, context_.slab(), range.begin, from); left != 0; left &= left - 1) {
+            const auto k = static_cast<std::size_t>(__builtin_ctz(left));
+            if (from[k] > range.end) {
+                ++late_;
+                continue;
+            }
+            std::size_t at = count++;
+            for (; at > 0 && met[at - 1].from < from[k]; --at) met[at] = met[at - 1];
+            met[at] = {node.child[k], from[k]};
         }
+        waiting_.insert(waiting_.end(), met.begin(), met.begin() + static_cast<std::ptrdiff_t>(count));
     }
-    counters.skipped_by(EnginePass::kHierarchy) += g.item_count - taken;
+    context_.counters().skipped_by(EnginePass::kHierarchy) += g.item_count - taken;
     return false;
+}
+
+template <class Take>
+bool Walker::each_ahead(const Group& g, const Range& range, Take take) {
+    if (!occlusion_) return each_item(g, {range.begin, HUGE_VAL}, take);
+    const std::uint64_t outer = std::exchange(late_, 0);
+    const bool ended = each_item(g, range, take);
+    context_.counters().skipped_by(EnginePass::kOcclusion) += late_;
+    late_ = outer;
+    return ended;
+}
+
+Found Walker::next_in_item(std::uint32_t ref, const Event& cursor, bool want, Event& out) {
+    const ItemBall& ball = context_.program().balls[ref];
+    Crossings c;
+    if (!want || !(ball.r > 0) || !context_.crossings(ball, c)) return next(context_.program().refs[ref], cursor, want, out);
+    ++context_.counters().primitive_tests;
+    if (c.count == 0) return Found::kNever;
+    const Event in{c.t[0], c.error[0], ball.id, 0, false}, behind{c.t[1], c.error[1], ball.id, 1, false};
+    const std::uint32_t leaf = context_.program().refs[ref].index();
+    met_balls_.push_back({leaf, in});
+    met_balls_.push_back({leaf, behind});
+    if (!passed(in, cursor)) {
+        out = in;
+        return Found::kLater;
+    }
+    return passed(behind, cursor) ? Found::kNever : Found::kHere;
 }
 
 Found Walker::next_of_any(const Group& g, const Event& cursor, bool want, Event& out) {
     const Program& program = context_.program();
     bool found = false;
-    double best = far_;
-    const auto take = [&](Ref ref) {
-        Event e;
-        const Found f = next(ref, cursor, want, e);
+    Range range{cursor.t - cursor.error, far_};
+    const auto take = [&](Found f, const Event& e) {
         if (f == Found::kLater && (!found || context_.compare(e, out) < 0)) {
             out = e;
             found = true;
-            best = std::min(best, e.t + e.error);
+            range.end = std::min(range.end, e.t + e.error);
         }
         return f == Found::kHere;
     };
+    Event e;
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
-        if (take(program.refs[g.first_plain + i])) return Found::kHere;
-    if (each_ahead(g, cursor.t - cursor.error, best, take)) return Found::kHere;
+        if (take(next(program.refs[g.first_plain + i], cursor, want, e), e)) return Found::kHere;
+    if (each_ahead(g, range, [&](std::uint32_t ref) { return take(next_in_item(ref, cursor, want, e), e); })) return Found::kHere;
     return found ? Found::kLater : Found::kNever;
 }
 
@@ -149,58 +172,33 @@ bool Walker::meets(Ref ref, const Event& cursor) {
     const Program& program = context_.program();
     if (ref.is_leaf() || program.groups[ref.index()].is_and) {
         Event e;
-        const Found found = next(ref, cursor, true, e);
-        return found == Found::kHere || (found == Found::kLater && e.t < far_);
+        return is_before_far(next(ref, cursor, true, e), e);
     }
     const Group& g = program.groups[ref.index()];
     if (misses(g, cursor.t - cursor.error)) return g.outside_value;
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
         if (meets(program.refs[g.first_plain + i], cursor)) return true;
-    return each_ahead(g, cursor.t - cursor.error, far_, [&](Ref child) { return meets(child, cursor); });
+    return each_ahead(g, {cursor.t - cursor.error, far_}, [&](std::uint32_t item) {
+        if (!(program.balls[item].r > 0)) return meets(program.refs[item], cursor);
+        Event e;
+        return is_before_far(next_in_item(item, cursor, true, e), e);
+    });
 }
 
-// Plain children, then the items below nodes that `enters`. False: visit(ref) was, and ended it.
-template <class Enters, class Visit>
-bool Walker::each_entered(const Group& g, Enters enters, Visit visit) {
+// Plain children, then the items whose boxes the ray meets in `range`. False: visit(ref) was, and ended it.
+template <class Visit>
+bool Walker::each_entered(const Group& g, const Range& range, Visit visit) {
     const Program& program = context_.program();
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
         if (!visit(program.refs[g.first_plain + i])) return false;
-    if (g.item_count == 0) return true;
-    std::uint32_t visited = 0;
-    std::array<std::uint32_t, 128> stack;
-    std::size_t top = 0;
-    stack[top++] = g.hierarchy;
-    while (top > 0) {
-        const BoxNode& node = program.nodes[stack[--top]];
-        if (!enters(node)) continue;
-        if (node.count == 0) {
-            stack[top++] = node.first + 1;
-            stack[top++] = node.first;
-            continue;
-        }
-        visited += node.count;
-        for (std::uint32_t i = 0; i < node.count; ++i)
-            if (!visit(program.refs[node.first + i])) return false;
-    }
-    context_.counters().skipped_by(EnginePass::kHierarchy) += g.item_count - visited;
-    return true;
-}
-
-// Children whose boxes hold the place of the event, or may.
-template <class Visit>
-bool Walker::each_at(const Group& g, const Event& at, Visit visit) {
-    const auto enters = [&](const BoxNode& node) {
-        double from = 0, to = 0;
-        return slab_interval(node.lo, node.hi, context_.slab(), from, to) && to >= at.t - at.error && from <= at.t + at.error;
-    };
-    return each_entered(g, enters, visit);
+    return !each_item(g, range, [&](std::uint32_t ref) { return !visit(program.refs[ref]); });
 }
 
 // One round over the children that may not be `want` at the cursor; moves it forward over each.
 Found Walker::pass(const Group& g, Event& cursor, bool want, bool& moved) {
     Found result = Found::kHere;
-    // `cursor` is captured by reference: boxes are tested against where it is by then.
-    each_at(g, cursor, [&](Ref ref) {
+    Range range = around(cursor);
+    each_entered(g, range, [&](Ref ref) {
         Event e;
         const Found f = next(ref, cursor, want, e);
         if (f == Found::kNever) {
@@ -209,6 +207,7 @@ Found Walker::pass(const Group& g, Event& cursor, bool want, bool& moved) {
         }
         if (f == Found::kLater) {
             cursor = e;
+            range = around(e);
             moved = true;
             if (e.t - e.error > far_) {
                 result = Found::kNever;
@@ -234,22 +233,13 @@ Found Walker::next_of_all(const Group& g, const Event& cursor, bool want, Event&
     return ever ? Found::kLater : Found::kHere;
 }
 
-template <class Visit>
-bool Walker::each_on_ray(const Group& g, Visit visit) {
-    const auto enters = [&](const BoxNode& node) {
-        double from = 0, to = 0;
-        return slab_interval(node.lo, node.hi, context_.slab(), from, to) && to >= 0;
-    };
-    return each_entered(g, enters, visit);
-}
-
 Walker::Changes Walker::all_changes(Ref ref) {
     if (ref.is_leaf()) return leaf_changes(ref.index());
     const Group& g = context_.program().groups[ref.index()];
     const auto constant = [&](bool value) { return Changes{static_cast<std::uint32_t>(events_.size()), 0, value}; };
     if (misses(g, 0)) return constant(g.outside_value);
     const std::size_t first_list = lists_.size();
-    const bool open = each_on_ray(g, [&](Ref child) {
+    const bool open = each_entered(g, {0, HUGE_VAL}, [&](Ref child) {
         const Changes c = all_changes(child);
         if (c.count > 0) {
             lists_.push_back(c);
@@ -310,15 +300,37 @@ void Walker::causes(Ref ref, const Event& at, std::vector<Cause>& out) {
     Event before = at, behind = at;
     before.before = true;
     behind.before = false;
-    each_at(context_.program().groups[ref.index()], at, [&](Ref child) {
+    each_entered(context_.program().groups[ref.index()], around(at), [&](Ref child) {
         if (state(child, before) != state(child, behind)) causes(child, at, out);
         return true;
     });
 }
 
 void Walker::causes_among_met(const Event& at, std::vector<Cause>& out) {
-    for (std::uint32_t leaf = 0; leaf < slots_.size(); ++leaf)
-        if (slots_[leaf].stamp == stamp_) causes(Ref::leaf(leaf), at, out);
+    const std::size_t slotted = met_.size();
+    for (std::size_t i = 0; i < slotted; ++i) causes(Ref::leaf(met_[i]), at, out);
+    for (const Cause& c : met_balls_)
+        if (slots_[c.leaf].stamp != stamp_ && context_.compare(c.event, at) == 0) out.push_back(c);
+}
+
+// In a flat program every leaf that changes where the event was found has been met: a union asks all that may come before its nearest part, an
+// intersection all whose boxes hold the place where it ends.
+bool Walker::sole_cause(const Event& at, Cause& cause) {
+    if (!context_.program().flat) return false;
+    std::uint32_t leaves = 0;
+    const auto look_at = [&](const Cause& c) {
+        const double d = c.event.t - at.t, room = c.event.error + at.error;
+        if (d > room || d < -room || context_.compare(c.event, at) != 0) return;
+        ++leaves;
+        cause = c;
+    };
+    for (const std::uint32_t leaf : met_) {
+        const Changes& c = slots_[leaf].changes;
+        for (std::uint32_t i = 0; i < c.count; ++i) look_at({leaf, events_[c.first + i]});
+    }
+    for (const Cause& c : met_balls_)
+        if (slots_[c.leaf].stamp != stamp_) look_at(c);
+    return leaves == 1;
 }
 
 std::uint32_t Walker::matter_at(Ref ref, const Event& cursor) {
@@ -329,7 +341,7 @@ std::uint32_t Walker::matter_at(Ref ref, const Event& cursor) {
         return leaf.fills ? leaf.use : kNoLeafUse;
     }
     std::uint32_t first = kNoLeafUse;
-    each_at(program.groups[ref.index()], cursor, [&](Ref child) {
+    each_entered(program.groups[ref.index()], around(cursor), [&](Ref child) {
         const std::uint32_t use = matter_at(child, cursor);
         if (use != kNoLeafUse && (first == kNoLeafUse || program.matter_order[use] < program.matter_order[first])) first = use;
         return true;
@@ -340,7 +352,7 @@ std::uint32_t Walker::matter_at(Ref ref, const Event& cursor) {
 void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
     const Program& program = context_.program();
     if (!ref.is_leaf()) {
-        each_on_ray(program.groups[ref.index()], [&](Ref child) {
+        each_entered(program.groups[ref.index()], {0, HUGE_VAL}, [&](Ref child) {
             matter_changes(child, out);
             return true;
         });

@@ -45,6 +45,8 @@ public:
     void causes(Ref ref, const Event& at, std::vector<Cause>& out);
     // The same by asking every leaf met so far: for a ray whose rounded origin misses a box by the rounding of its departure.
     void causes_among_met(const Event& at, std::vector<Cause>& out);
+    // The one leaf that changes at an event that was found on this ray. False: another one does too, or the program is not flat.
+    bool sole_cause(const Event& at, Cause& cause);
     // Whose matter fills the place: of the uses that hold it and are not subtracted the first by Program::matter_order; kNoLeafUse if there is none.
     std::uint32_t matter_at(Ref ref, const Event& cursor);
     // Changes along the ray of all leaves, leaf by leaf: matter changes at no other place. A cutter may end the one and leave another.
@@ -70,21 +72,37 @@ private:
     Found pass(const Group& g, Event& cursor, bool want, bool& moved);
     bool passed(const Event& change, const Event& cursor);
     bool misses(const Group& g, double begin);
+    bool is_before_far(Found found, const Event& e) const { return found == Found::kHere || (found == Found::kLater && e.t < far_); }
+    Found next_in_item(std::uint32_t ref, const Event& cursor, bool want, Event& out);
+
+    // Of t; boxes that the ray meets in it matter.
+    struct Range {
+        double begin, end;
+    };
+    static Range around(const Event& e) { return {e.t - e.error, e.t + e.error}; }
     template <class Take>
-    bool each_ahead(const Group& g, double begin, const double& end, Take take);
-    template <class Enters, class Visit>
-    bool each_entered(const Group& g, Enters enters, Visit visit);
+    bool each_item(const Group& g, const Range& range, Take take);
+    template <class Take>
+    bool each_ahead(const Group& g, const Range& range, Take take);
     template <class Visit>
-    bool each_at(const Group& g, const Event& at, Visit visit);
-    template <class Visit>
-    bool each_on_ray(const Group& g, Visit visit);
+    bool each_entered(const Group& g, const Range& range, Visit visit);
     Changes merge(const Group& g, std::size_t first_list);
 
     RayContext context_;
     double far_ = 0;
+    BoxesMet boxes_met_ = nullptr;
+    // Of the hierarchies that are being gone through, the innermost last.
+    struct Waiting {
+        WideChild child;
+        double from;
+    };
+    std::vector<Waiting> waiting_;
+    std::uint64_t late_ = 0;  // of those, how many turned out to lie behind their range
     bool boxes_ = true, occlusion_ = true;  // EnginePass
     std::uint32_t stamp_ = 0;
     std::vector<Slot> slots_;
+    std::vector<std::uint32_t> met_;  // leaves whose changes stand in their slots
+    std::vector<Cause> met_balls_;    // changes of items that are balls
     std::vector<Event> events_;
     std::vector<Changes> lists_;
     struct Tagged {

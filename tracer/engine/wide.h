@@ -1,0 +1,41 @@
+// wide.h — the hierarchy of a wide group as single rays go through it: eight boxes a node, met by one ray together. Private to the engine.
+//
+// Made of the binary hierarchy by opening the largest children first, down to single items, so that an item is asked only where the ray meets its own box.
+// Boxes are float, rounded outward, and met in double: they cull and never decide.
+// Source: Wald, Benthin, Boulos, Getting rid of packets (2008); Dammertz, Hanika, Keller, Shallow bounding volume hierarchies (2008).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tracer/engine/bvh.h"
+
+namespace whittle {
+
+inline constexpr std::size_t kWideBoxes = 8;
+
+// A node of the wide hierarchy, or an item.
+struct WideChild {
+    std::uint32_t packed = 0;
+    bool is_item() const { return (packed >> 31) != 0; }
+    std::uint32_t index() const { return packed & 0x7FFFFFFF; }
+    static WideChild item(std::uint32_t i) { return {i | 0x80000000}; }
+    static WideChild node(std::uint32_t i) { return {i}; }
+};
+
+struct alignas(64) WideNode {
+    std::array<std::array<std::array<float, kWideBoxes>, 3>, 2> side{};  // least and greatest, by axis, by child
+    std::array<WideChild, kWideBoxes> child;
+    std::uint32_t count = 0;
+};
+
+// Appends the hierarchy, whose items are numbered in its order from `first_item` on, to `nodes`; returns its root. `boxes`: of the items, in that order.
+std::uint32_t widen(const Hierarchy& hierarchy, const std::vector<FloatBox>& boxes, std::uint32_t first_item, std::vector<WideNode>& nodes);
+
+// Which children's boxes the ray meets at `begin` or behind, and from where on (`from`, set for those).
+using BoxesMet = std::uint32_t (*)(const WideNode& node, const SlabRay& ray, double begin, std::array<double, kWideBoxes>& from);
+// For the processor at hand: the answers are the same on every one.
+BoxesMet boxes_met();
+
+}  // namespace whittle
