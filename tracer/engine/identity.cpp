@@ -78,7 +78,7 @@ private:
     static double key_of(const WorldSurface& w) {
         constexpr std::array<double, 6> k{0.6180339887, 0.7548776662, 0.5698402910, 0.8191725134, 0.6710436067, 0.5497004779};
         if (w.form == WorldSurface::Form::kPlane) return static_cast<double>(k[0] * w.b[0] + k[1] * w.b[1] + k[2] * w.b[2] + k[3] * w.c);
-        if (w.form == WorldSurface::Form::kTorus) return static_cast<double>(k[0] * w.centre[0] + k[1] * w.centre[1] + k[2] * w.centre[2] + k[3] * w.ring + k[4] * w.tube);
+        if (w.form == WorldSurface::Form::kTorus) return static_cast<double>(k[0] * w.b[0] + k[1] * w.b[1] + k[2] * w.b[2] + k[3] * w.ring + k[4] * w.tube);
         Real most = 0;
         for (const Real x : w.m) most = std::max(most, magnitude(x));
         if (most == 0) return 0;
@@ -101,7 +101,10 @@ private:
         const double tolerance = kSnapTolerance * (larger > 0 ? larger : extent) + a.rounding + b.rounding;
         if (!touching(a.box, b.box, tolerance)) return false;
         if (w.form == WorldSurface::Form::kPlane) return planes_agree(w, member.world, a.box, b.box, tolerance, flipped, distance);
-        if (w.form == WorldSurface::Form::kTorus) return tori_agree(w, member.world, tolerance, distance);
+        if (w.form == WorldSurface::Form::kTorus) {
+            distance = static_cast<double>(torus_distance(s, table_.frames[s.frame], t, table_.frames[t.frame]));
+            return distance <= tolerance;
+        }
         const double scale = extent > 0 ? extent : 1;
         const Vec3 centre = finite_centre(a.box);
         bool fa = false, fb = false;
@@ -144,21 +147,6 @@ private:
             }
             worst = std::max({worst, magnitude(most), magnitude(least)});
         }
-        distance = static_cast<double>(worst);
-        return distance <= tolerance;
-    }
-
-    static bool tori_agree(const WorldSurface& w, const WorldSurface& v, double tolerance, double& distance) {
-        Real worst = std::max(magnitude(w.ring - v.ring), magnitude(w.tube - v.tube)), lw = 0, lv = 0, cross = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            worst = std::max(worst, magnitude(w.centre[i] - v.centre[i]));
-            lw += w.b[i] * w.b[i];
-            lv += v.b[i] * v.b[i];
-            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            cross = std::max(cross, magnitude(w.b[j] * v.b[k] - w.b[k] * v.b[j]));
-        }
-        // Only frames that keep a torus round to the tolerance may share one.
-        worst = std::max({worst, cross * (w.ring + w.tube), magnitude(std::sqrt(lw) - 1) * w.ring, magnitude(std::sqrt(lv) - 1) * v.ring});
         distance = static_cast<double>(worst);
         return distance <= tolerance;
     }

@@ -124,17 +124,6 @@ WorldSurface to_root(const WorldSurface& local, const Frame& frame) {
     if (frame.identity) return local;
     const Rows inverse = inverse_of(frame.placement);
     WorldSurface w = local;
-    if (local.form == WorldSurface::Form::kTorus) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            w.centre[i] = frame.placement.m[4 * i + 3];
-            w.b[i] = 0;
-            for (std::size_t j = 0; j < 3; ++j) {
-                w.centre[i] += Real(frame.placement.m[4 * i + j]) * local.centre[j];
-                w.b[i] += Real(frame.placement.m[4 * i + j]) * local.b[j];
-            }
-        }
-        return w;
-    }
     w.b = {};
     for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t i = 0; i < 3; ++i) w.b[j] += inverse[i][j] * local.b[i];
@@ -163,7 +152,51 @@ WorldSurface to_root(const WorldSurface& local, const Frame& frame) {
     return w;
 }
 
-Real value_at(const std::array<Real, 10>& q, const std::array<Real, 3>& y, std::array<Real, 3>& gradient) {
+using Point = std::array<Real, 3>;
+
+Point placed(const Placement& a, const Point& p) {
+    Point r;
+    for (std::size_t i = 0; i < 3; ++i) {
+        r[i] = a.m[4 * i + 3];
+        for (std::size_t j = 0; j < 3; ++j) r[i] += Real(a.m[4 * i + j]) * p[j];
+    }
+    return r;
+}
+
+WorldSurface world_torus(const Support& s, const Frame& frame) {
+    WorldSurface w;
+    w.form = WorldSurface::Form::kTorus;
+    w.b = placed(frame.placement, {s.p[0], s.p[1], s.p[2]});
+    Real inverse_det = 0;
+    const Rows inverse = inverse_of(frame.placement);
+    for (std::size_t j = 0; j < 3; ++j) inverse_det += inverse[0][j] * (inverse[1][(j + 1) % 3] * inverse[2][(j + 2) % 3] - inverse[1][(j + 2) % 3] * inverse[2][(j + 1) % 3]);
+    const Real stretch = 1 / std::cbrt(magnitude(inverse_det));
+    w.ring = stretch * Real(s.p[3]);
+    w.tube = stretch * Real(s.p[4]);
+    return w;
+}
+
+// Spread evenly and on no symmetry plane: k times an irrational slope, less its whole part, in [-1, 1).
+Real spread(int k, std::size_t i) {
+    const Real slope = i == 0 ? 0.8191725133961645L : i == 1 ? 0.6710436067037893L : 0.5497004779019703L;
+    const Real turn = (k + 1) * slope;
+    return 2 * (turn - std::floor(turn)) - 1;
+}
+
+// On the outer sheet of the torus, in the root frame.
+Point torus_point(const Support& s, const Frame& frame, int k) {
+    // Points of the unit circle by the tangent of half their angle: no sines, whose last bit is the library's.
+    const Real about = 3 * spread(k, 0), along = spread(k, 1), n = 1 + about * about, m = 1 + along * along;
+    const Real rho = s.p[3] + s.p[4] * (1 - along * along) / m;
+    const std::size_t u = (s.axis + 1u) % 3, v = (s.axis + 2u) % 3;
+    Point p{s.p[0], s.p[1], s.p[2]};
+    p[u] += rho * (1 - about * about) / n;
+    p[v] += rho * 2 * about / n;
+    p[s.axis] += s.p[4] * 2 * along / m;
+    return placed(frame.placement, p);
+}
+
+Real value_at(const QuadricForm& q, const Point& y, Point& gradient) {
     Real value = q[9];
     for (std::size_t i = 0; i < 3; ++i) {
         Real m = 0;
@@ -185,13 +218,24 @@ WorldSurface world_surface(const Support& support, const Frame& frame) {
         w.c /= length;
         return w;
     }
-    if (support.kind != SupportKind::kTorus) return to_root(local_quadric(support), frame);
-    w.form = WorldSurface::Form::kTorus;
-    w.b[support.axis] = 1;
-    for (std::size_t i = 0; i < 3; ++i) w.centre[i] = support.p[i];
-    w.ring = support.p[3];
-    w.tube = support.p[4];
-    return to_root(w, frame);
+    return support.kind == SupportKind::kTorus ? world_torus(support, frame) : to_root(local_quadric(support), frame);
+}
+
+Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b) {
+    constexpr int kPoints = 24;
+    const Rows inverse = inverse_of(in_b.placement);
+    const std::size_t u = (b.axis + 1u) % 3, v = (b.axis + 2u) % 3;
+    Real stretch2 = 0, worst = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) stretch2 += Real(in_b.placement.m[4 * i + j]) * in_b.placement.m[4 * i + j];
+    for (int k = 0; k < kPoints; ++k) {
+        Point p = torus_point(a, in_a, k), x;
+        for (std::size_t i = 0; i < 3; ++i) p[i] -= in_b.placement.m[4 * i + 3];
+        for (std::size_t i = 0; i < 3; ++i) x[i] = inverse[i][0] * p[0] + inverse[i][1] * p[1] + inverse[i][2] * p[2] - b.p[i];
+        const Real beyond = std::sqrt(x[u] * x[u] + x[v] * x[v]) - b.p[3];
+        worst = std::max(worst, magnitude(std::sqrt(beyond * beyond + x[b.axis] * x[b.axis]) - b.p[4]));
+    }
+    return worst * std::sqrt(stretch2);
 }
 
 QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped) {
@@ -224,13 +268,7 @@ Real quadric_distance(const QuadricForm& a, const QuadricForm& b) {
     Real worst = 0;
     int reached = 0;
     for (int k = 0; k < kStarts; ++k) {
-        // A lattice of generic slopes: no start on an axis or a symmetry plane.
-        std::array<Real, 3> y, g;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Real slope = i == 0 ? 0.8191725133961645L : i == 1 ? 0.6710436067037893L : 0.5497004779019703L;
-            const Real turn = (k + 1) * slope;
-            y[i] = 2 * (turn - std::floor(turn)) - 1;
-        }
+        Point y{spread(k, 0), spread(k, 1), spread(k, 2)}, g;
         for (int step = 0; step < kSteps; ++step) {
             const Real v = value_at(a, y, g), g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
             if (!(g2 > 0)) break;

@@ -17,10 +17,9 @@ inline Real magnitude(Real x) { return x < 0 ? -x : x; }
 struct WorldSurface {
     enum class Form : std::uint8_t { kPlane, kQuadric, kTorus } form = Form::kPlane;
     std::array<Real, 6> m{};  // xx yy zz xy xz yz
-    std::array<Real, 3> b{};  // a plane's normal; a torus's axis
+    std::array<Real, 3> b{};  // a plane's normal; a torus's centre
     Real c = 0;               // plane: b.x + c = 0
-    std::array<Real, 3> centre{};
-    Real ring = 0, tube = 0;
+    Real ring = 0, tube = 0;  // a torus's, times the mean stretch of its frame
 };
 
 WorldSurface world_surface(const Support& support, const Frame& frame);
@@ -29,6 +28,10 @@ WorldSurface world_surface(const Support& support, const Frame& frame);
 // the first large one positive.
 using QuadricForm = std::array<Real, 10>;
 QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped);
+
+// How far points of the first torus are, in the root frame, from the second: at most, over a spread of points that tells any two tori apart, however
+// their frames turn, stretch or shear them.
+Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b);
 
 // How far the second quadric is from points of the first, in and about the box [-1, 1]^3: the points are those that Newton's steps lead to from a
 // spread of starts. 1, more than any tolerance, where the coefficients are plainly different or hardly a start leads anywhere.

@@ -194,3 +194,41 @@ TEST_CASE("instances that touch along a face are whole, also when each has a fra
         }
     }
 }
+
+namespace {
+
+// Rays of 2000 that meet anything of the difference of two placed shapes.
+int rays_that_meet(const Shape& shape, const Placement& first, const Shape& other, const Placement& second) {
+    SolidBuilder b;
+    const NodeId x = b.combine(SetOp::kUnion, {{b.shape(shape), 0, 0, first}}), y = b.combine(SetOp::kUnion, {{b.shape(other), 0, 0, second}});
+    const auto program = compiled(b.finish(use(b.combine(SetOp::kDifference, {use(x), use(y)}))));
+    Scratch s;
+    Spans spans;
+    Random random(3);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray = random.ray_through({Vec3(-2), Vec3(2)});
+        Hit hit;
+        all_spans(*program, ray, s, spans);
+        met += !spans.empty();
+        REQUIRE(first_hit(*program, ray, HUGE_VAL, s, hit) == !spans.empty());
+    }
+    return met;
+}
+
+Placement stretched(const Placement& p, double x, double y, double z) { return p * Placement{{x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0}}; }
+
+}  // namespace
+
+TEST_CASE("a torus stretched across its axis is not the round one") {
+    const shape::Torus torus{1, 0.25};
+    CHECK(rays_that_meet(torus, stretched({}, 0.5, 1.1, 1), torus, {}) > 100);
+    CHECK(rays_that_meet(torus, {}, torus, stretched({}, 1.125, 1, 1)) > 100);
+}
+
+TEST_CASE("a torus is the same whether its frame is scaled, stretched or its radii are") {
+    const shape::Torus torus{1, 0.25}, large{1.5, 0.375};
+    CHECK(rays_that_meet(torus, stretched(about_z(30) * about_z(30), 1.5, 1.5, 1.5), large, about_z(60)) == 0);
+    CHECK(rays_that_meet(large, about_z(60), torus, stretched(about_z(30) * about_z(30), 1.5, 1.5, 1.5)) == 0);
+    CHECK(rays_that_meet(torus, stretched(about_z(45), 1, 1, 2), torus, stretched(about_z(20), 1, 1, 2)) == 0);
+}
