@@ -204,7 +204,7 @@ TEST_CASE("the laws of sets hold on every ray") {
     CHECK(count.masked * 50 < count.rays);
 }
 
-TEST_CASE("the laws of sets hold for every kind of shape, coincident, tangent and nested", "[.open]") {
+TEST_CASE("the laws of sets hold for every kind of shape, coincident, tangent and nested") {
     const std::uint64_t first_seed = fresh_seed();
     INFO("WHITTLE_SEED=" << first_seed);
     std::mt19937_64 random(first_seed);

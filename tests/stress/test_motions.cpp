@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tests/stress/compare.h"
 #include "tests/stress/scene_text.h"
@@ -40,19 +41,27 @@ std::vector<Event> events(const Program& program, const Ray& ray, Scratch& scrat
     return r;
 }
 
+std::string described(const std::vector<Event>& list) {
+    std::string text;
+    for (const Event& e : list) text += fmt::format("\n  {}{:a} +- {:.2g} use {}", e.entering ? "+" : "-", e.t, e.error, e.use);
+    return text;
+}
+
 bool same(const std::vector<Event>& a, const std::vector<Event>& b, double room) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [&](const Event& x, const Event& y) { return x.entering == y.entering && x.use == y.use && std::abs(x.t - y.t) <= room + x.error + y.error; });
 }
 
+// How far a grazing ray's crossings may move, t of the scenes' size, where its origin moves by `far`.
+double way_of(double far) { return 20 * std::sqrt(far); }
+
 // Does the exact answer, surfaces included, change when the ray moves by `far`, its direction by `turned`?
 bool is_masked(const Subject& subject, const Ray& ray, double far, double turned, std::mt19937_64& random) {
-    const auto answer = [&](const Ray& r) {
-        std::vector<std::pair<bool, std::vector<std::uint32_t>>> list;
-        for (const auto& b : subject.exact->borders(r).borders) list.emplace_back(b.entering, b.leaves);
-        return list;
+    using reference::Border;
+    const auto alike = [&](const Border& x, const Border& y) {
+        return x.entering == y.entering && x.leaves == y.leaves && std::abs((middle(x.lo, x.hi) - middle(y.lo, y.hi)).to_double()) <= way_of(far);
     };
-    const auto here = answer(ray);
+    const auto here = subject.exact->borders(ray).borders;
     std::uniform_real_distribution<double> within(-1, 1);
     for (int i = 0; i < 200; ++i) {
         Ray moved = ray;
@@ -60,7 +69,8 @@ bool is_masked(const Subject& subject, const Ray& ray, double far, double turned
             moved.origin[k] += within(random) * far;
             moved.direction[k] += within(random) * turned;
         }
-        if (answer(moved) != here) return true;
+        const auto there = subject.exact->borders(moved).borders;
+        if (!std::equal(here.begin(), here.end(), there.begin(), there.end(), alike)) return true;
     }
     return false;
 }
@@ -168,19 +178,22 @@ Ray random_ray(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("a motion that doubles hold changes no event", "[.open]") {
+TEST_CASE("a motion that doubles hold changes no event") {
     const std::uint64_t seed = fresh_seed();
     INFO("WHITTLE_SEED=" << seed);
     std::mt19937_64 random(seed);
     Scratch scratch;
-    std::uint64_t met = 0, rays = 0, masked = 0;
-    for (int i = 0; i < 150; ++i) {
+    std::uint64_t met = 0, solids = 0, rays = 0, masked = 0;
+    for (int i = 0; i < 200; ++i) {
         const std::uint64_t recipe = random();
         const RandomSolid solid = random_solid(Theme::kStack, recipe);
         const Placement motion = exact_motion(random);
         const Subject here = subject_of(solid.solid, true);
         const auto there = compile(random_solid(Theme::kStack, recipe, {}, motion).solid);
         if (!here.program || !there) continue;
+        // Numbers that doubles do not hold once moved are another solid, which reading says.
+        if (build_report(*here.program).largest_displacement > 0 || build_report(**there).largest_displacement > 0) continue;
+        ++solids;
         for (int k = 0; k < 12; ++k) {
             Ray ray = support::random_ray(solid, random);
             ray.origin = coarse(ray.origin);
@@ -193,18 +206,20 @@ TEST_CASE("a motion that doubles hold changes no event", "[.open]") {
             ++rays;
             met += a.size();
             if (same(a, b, 0)) continue;
-            INFO("ray " << to_text(ray) << "\n image " << to_text(image) << "\n " << a.size() << " and " << b.size() << " events");
+            INFO("recipe " << recipe << "u by" << fmt::format(" {:a}", fmt::join(motion.m, " ")) << "\n ray " << to_text(ray) << "\n image " << to_text(image) << described(a)
+                           << "\n and" << described(b));
             // A ray in a face takes the side of a direction that does not move with it.
             CHECK(is_masked(here, ray, 0x1p-45, 0, random));
             ++masked;
         }
     }
-    INFO(masked << " of " << rays << " rays lie in faces and take another side");
+    INFO(masked << " of " << rays << " rays lie in faces and take another side; " << solids << " solids");
+    CHECK(solids > 50);
     CHECK(met > rays / 4);
     CHECK(masked * 10 < rays);
 }
 
-TEST_CASE("scaling by a power of two changes no bit", "[.open]") {
+TEST_CASE("scaling by a power of two changes no bit") {
     const std::uint64_t seed = fresh_seed();
     INFO("WHITTLE_SEED=" << seed);
     std::mt19937_64 random(seed);
@@ -266,8 +281,8 @@ TEST_CASE("a scene moved by its text has the same events but for rays that round
                 // Half a unit in the last place of the ray, of the placement's offset and, over the size of 20, of its matrix; in the scene's own units.
                 const double offset = (std::abs(motion.offset.x) + std::abs(motion.offset.y) + std::abs(motion.offset.z)) / scale;
                 const double room = 0x1p-53 * (4 * offset + 20 * 8), room_of_way = 0x1p-53 * 20 * 8;
-                if (same(a, b, 20 * std::sqrt(room))) continue;  // a grazing ray's crossings move by the root of that
-                INFO(scene.name << ": " << motion.text << "\n ray " << to_text(ray) << "\n image " << to_text(image) << "\n " << a.size() << " and " << b.size() << " events");
+                if (same(a, b, way_of(room))) continue;  // a grazing ray's crossings move by the root of that
+                INFO(scene.name << ": " << motion.text << "\n ray " << to_text(ray) << "\n image " << to_text(image) << described(a) << "\n and" << described(b));
                 CHECK(is_masked(here, ray, room, room_of_way, random));
                 ++masked;
             }

@@ -65,6 +65,19 @@ Placement Chain::rounded(const Matrix& m) {
     return p;
 }
 
+double Chain::displacement(const Matrix& m, double size) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double moved = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+            const double off = to_double(m[4 * i + j] - to_double(m[4 * i + j]));
+            moved += std::abs(off) * (j == 3 ? 1 : size);
+        }
+        most = std::max(most, moved);
+    }
+    return most;
+}
+
 Chain Chain::then(const Placement& p) const {
     Chain r = *this;
     AxisMap map;

@@ -39,11 +39,16 @@ public:
     // Sum of the magnitudes that rounding acted on, for a point of the given size: times the unit roundoff, a bound of the displacement.
     double rounding_for(double size) const { return (links_ + 2) * 0x1p-53 * (reach_ + stretch_ * size); }
 
+    // How far at most rounding outer(), or whole(), moves a point of the given size.
+    double displacement_of_outer(double size) const { return displacement(outer_, size); }
+    double displacement_of_whole(double size) const { return displacement(product(outer_, as_matrix(inner_)), size); }
+
 private:
     using Matrix = std::array<Wide, 12>;
     static Matrix as_matrix(const AxisMap& m);
     static Matrix product(const Matrix& a, const Matrix& b);
     static Placement rounded(const Matrix& m);
+    static double displacement(const Matrix& m, double size);
 
     Matrix outer_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     AxisMap inner_;

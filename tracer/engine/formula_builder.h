@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 
 #include "csg/base/result.h"
 #include "tracer/engine/chain.h"
@@ -76,7 +77,8 @@ private:
     const Solid& solid_;
     std::vector<Parted> differences_;
     Formula out_;
-    std::map<NodeId, std::shared_ptr<const TriangleList>> triangles_;
+    // By node, and by the permutation and scales that its points took in.
+    std::map<std::tuple<NodeId, std::array<std::uint8_t, 3>, std::array<double, 3>>, std::shared_ptr<const TriangleList>> triangles_;
     std::string failure_;
 };
 

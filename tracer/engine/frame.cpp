@@ -39,6 +39,24 @@ bool invert(Frame& f) {
     return true;
 }
 
+bool is_power_of_two(double x) {
+    int exponent = 0;
+    return std::abs(std::frexp(x, &exponent)) == 0.5;
+}
+
+// Axes permuted, mirrored and scaled by powers of two: products and sums are exact, so entering rounds the difference from the offset alone, if there is one.
+void count_roundings(Frame& f) {
+    for (int i = 0; i < 3; ++i) {
+        int entries = 0;
+        for (int j = 0; j < 3; ++j) {
+            const double x = f.placement.linear(i, j);
+            if (x != 0 && (!is_power_of_two(x) || ++entries > 1)) return;
+        }
+    }
+    f.origin_units = f.placement.offset(0) == 0 && f.placement.offset(1) == 0 && f.placement.offset(2) == 0 ? 0 : 1.0625;
+    f.direction_units = 0;
+}
+
 }  // namespace
 
 Frame make_frame(const Placement& placement) {
@@ -47,6 +65,7 @@ Frame make_frame(const Placement& placement) {
     f.identity = placement.is_identity();
     if (f.identity) return f;
     if (!invert<Bounded>(f)) invert<exact::Dyadic>(f);
+    count_roundings(f);
     return f;
 }
 

@@ -30,7 +30,9 @@ double finite_extent(const Bounds& a) {
 
 class Finder {
 public:
-    Finder(const SupportTable& table, bool snap) : table_(table), snap_(snap) {}
+    Finder(const SupportTable& table, bool snap) : table_(table), snap_(snap) {
+        if (snap) spread_ = most_keys_differ();
+    }
 
     Classes run() {
         for (SupportId id = 0; id < table_.supports.size(); ++id) place(id);
@@ -49,8 +51,7 @@ private:
         const Frame& frame = table_.frames[s.frame];
         const WorldSurface w = world_surface(s, frame);
         const double key = key_of(w);
-        // Wide enough for any two that agree: keys move by the snap's tolerance and by rounding far from the origin.
-        const double window = 0x1p-30 * (1 + std::abs(key));
+        const double window = kKeyRounding * (1 + std::abs(key)) + spread_;
         ClassOfSupport best{static_cast<ClassId>(out_.supports.size()), false};
         if (snap_)
             for (const double sign : {1.0, -1.0}) {
@@ -72,6 +73,23 @@ private:
             ++out_.fused;
         }
         out_.of.push_back(best);
+    }
+
+    // How far apart the keys of two supports that agree may be: what agrees within a tolerance over a box differs by more at the origin, by as many times
+    // as the origin is box sizes away. Capped: a sliver far out must not make all supports candidates for all.
+    double most_keys_differ() const {
+        constexpr double kMostSizesAway = 0x1p24, kCap = 0x1p-20, kTerms = 8;
+        double most = 0, farthest = 0;
+        for (const Occurrence& o : table_.occurrences) {
+            const double extent = std::max(finite_part(o.extent), finite_extent(o.box));
+            double reach = 0;
+            for (int i = 0; i < 3; ++i) reach = std::max({reach, std::abs(finite_part(o.box.lo[i])), std::abs(finite_part(o.box.hi[i]))});
+            farthest = std::max(farthest, reach);
+            if (!(extent > 0)) continue;
+            const double tolerance = kSnapTolerance * extent + finite_part(o.rounding);
+            most = std::max(most, tolerance * (1 + std::min(reach / extent, kMostSizesAway)) + tolerance / extent);
+        }
+        return std::min(kTerms * most, kCap * (1 + farthest));
     }
 
     // A number that moves little where the surface moves little.
@@ -105,25 +123,31 @@ private:
             distance = static_cast<double>(torus_distance(s, table_.frames[s.frame], t, table_.frames[t.frame]));
             return distance <= tolerance;
         }
-        const double scale = extent > 0 ? extent : 1;
-        const Vec3 centre = finite_centre(a.box);
-        bool fa = false, fb = false;
-        const auto x = normalised(w, centre, scale, fa), y = normalised(member.world, centre, scale, fb);
-        flipped = fa != fb;
-        distance = static_cast<double>(quadric_distance(x, y)) * scale;
+        return quadrics_agree(w, member.world, a.box, b.box, tolerance, flipped, distance);
+    }
+
+    // Over the hull of both boxes; where that is not bounded, over what is.
+    static bool quadrics_agree(const WorldSurface& w, const WorldSurface& v, const Bounds& a, const Bounds& b, double tolerance, bool& flipped, double& distance) {
+        Bounds hull{Vec3(0), Vec3(0)};
+        for (int i = 0; i < 3; ++i) {
+            const double lo = std::min(a.lo[i], b.lo[i]), hi = std::max(a.hi[i], b.hi[i]);
+            if (!std::isfinite(lo) || !std::isfinite(hi)) continue;
+            hull.lo[i] = lo;
+            hull.hi[i] = hi;
+        }
+        const Vec3 centre = 0.5 * (hull.lo + hull.hi), size = hull.hi - hull.lo;
+        const double extent = std::max({size.x, size.y, size.z}), scale = extent > 0 ? extent : 1;
+        Vec3 half = 0.5 / scale * size;
+        for (int i = 0; i < 3; ++i)
+            if (!(half[i] > 0)) half[i] = 0.5;
+        bool fw = false, fv = false;
+        const auto x = normalised(w, centre, scale, fw), y = normalised(v, centre, scale, fv);
+        flipped = fw != fv;
+        distance = static_cast<double>(quadric_distance(x, y, half)) * scale;
         return distance <= tolerance;
     }
 
     static double finite_part(double x) { return std::isfinite(x) ? x : 0; }
-
-    static Vec3 finite_centre(const Bounds& a) {
-        Vec3 c{0};
-        for (int i = 0; i < 3; ++i) {
-            const double m = 0.5 * (a.lo[i] + a.hi[i]);
-            c[i] = std::isfinite(m) ? m : 0;
-        }
-        return c;
-    }
 
     static bool planes_agree(const WorldSurface& w, const WorldSurface& v, const Bounds& a, const Bounds& b, double tolerance, bool& flipped, double& distance) {
         const Real along = w.b[0] * v.b[0] + w.b[1] * v.b[1] + w.b[2] * v.b[2];
@@ -151,8 +175,11 @@ private:
         return distance <= tolerance;
     }
 
+    static constexpr double kKeyRounding = 0x1p-30;  // of a key, long double to double and the cancellation before it
+
     const SupportTable& table_;
     bool snap_;
+    double spread_ = 0;
     Classes out_;
     std::multimap<double, Member> members_;
 };

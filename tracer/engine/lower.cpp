@@ -242,13 +242,12 @@ FormulaId FormulaBuilder::operator_shape(const shape::Torus& s, const Site& site
 }
 
 FormulaId FormulaBuilder::operator_shape(const shape::HalfSpace& s, const Site& site) {
-    const bool axis = (s.n.x != 0) + (s.n.y != 0) + (s.n.z != 0) == 1;
-    Placer p(out_, site.chain, site.motion, everywhere(), axis ? Absorb::kAny : Absorb::kRigid);
+    Placer p(out_, site.chain, site.motion, everywhere(), Placer::is_axis_plane(s.n, s.d) ? Absorb::kAny : Absorb::kRigid);
     return cell({p.plane(s.n, s.d)}, everywhere(), site);
 }
 
 FormulaId FormulaBuilder::operator_shape(const shape::Quadric& s, const Site& site) {
-    Placer p(out_, site.chain, site.motion, everywhere(), Absorb::kNothing);
+    Placer p(out_, site.chain, site.motion, everywhere(), Absorb::kExact);
     return cell({p.quadric(s.c)}, everywhere(), site);
 }
 
@@ -358,7 +357,9 @@ bool FormulaBuilder::has_flat_faces(NodeId id) const {
 }
 
 FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
-    auto& list = triangles_[id];
+    Placer p(out_, site.chain, site.motion, solid_.bounds(id), Absorb::kExact);
+    const AxisMap& map = p.absorbed();
+    auto& list = triangles_[{id, map.from, {to_double(map.scale[0]), to_double(map.scale[1]), to_double(map.scale[2])}}];
     if (!list) {
         const Result<FacetList> facets = facets_of(solid_, id);
         if (!facets) {
@@ -366,13 +367,12 @@ FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
             return constant(false);
         }
         auto triangles = std::make_shared<TriangleList>();
-        triangles->points = facets->points;
+        for (const Vec3& v : facets->points) triangles->points.push_back(p.point(v));
         for (const auto& f : facets->facets)
             for (std::size_t i = 2; i < f.size(); ++i) triangles->triangles.push_back({f[0], f[i - 1], f[i]});
         list = std::move(triangles);
     }
     if (list->triangles.empty()) return constant(site.negated);
-    Placer p(out_, site.chain, site.motion, solid_.bounds(id), Absorb::kNothing);
     MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
     for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));
     FormulaNode n;

@@ -33,10 +33,17 @@ void include(Bounds& a, const Bounds& b) {
     a = a.empty() ? b : Bounds{glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
 }
 
+bool is_power_of_two(Wide x) {
+    int exponent = 0;
+    return std::frexp(to_double(x), &exponent) == 0.5 && x == to_double(x);
+}
+
 bool can_absorb(const AxisMap& map, Absorb absorb) {
     if (absorb == Absorb::kAny) return true;
     if (absorb == Absorb::kUniformScale) return map.is_uniform();
-    if (absorb == Absorb::kRigid) return map.is_uniform() && magnitude(map.scale[0]) == 1;
+    if (absorb == Absorb::kExact)
+        return std::all_of(map.scale.begin(), map.scale.end(), [](Wide x) { return is_power_of_two(magnitude(x)); }) && map.shift == std::array<Wide, 3>{0, 0, 0};
+    if (absorb == Absorb::kRigid) return map.is_uniform() && is_power_of_two(magnitude(map.scale[0]));
     return false;
 }
 
@@ -91,6 +98,17 @@ void SupportTable::bound_by(const Bounds& box) {
     }
 }
 
+namespace {
+
+// The largest coordinate of what was at most `size` from the origin.
+Wide reach_of_map(const AxisMap& map, double size) {
+    Wide most = 0;
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, magnitude(map.scale[i]) * size + magnitude(map.shift[i]));
+    return most;
+}
+
+}  // namespace
+
 Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb) : formula_(formula) {
     const bool taken = can_absorb(chain.inner(), absorb);
     if (taken) map_ = chain.inner();
@@ -101,7 +119,8 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
         for (const double x : {box.lo[i], box.hi[i]})
             if (std::isfinite(x)) size = std::max(size, std::abs(x));
     rounding_ = chain.rounding_for(size);
-    rounding_per_size_ = chain.rounding_for(1) - chain.rounding_for(0);
+    rounding_per_size_ = (chain.rounding_for(1) - chain.rounding_for(0)) * most_shrunk();
+    formula_.largest_displacement = std::max(formula_.largest_displacement, taken ? chain.displacement_of_outer(to_double(reach_of_map(map_, size))) : chain.displacement_of_whole(size));
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
     if (finite && motion == 0) {
         root_box_ = placed_bounds(box, chain.whole());
@@ -109,6 +128,17 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
         root_box_.lo -= room;
         root_box_.hi += room;
     }
+}
+
+// At most so many times its size in the root frame is a thing's size in the shape's own coordinates.
+double Placer::most_shrunk() const {
+    double frame = 0, own = 0;
+    const auto& inverse = formula_.table.frames[frame_].inverse;
+    for (std::size_t i = 0; i < 3; ++i) {
+        frame = std::max(frame, std::abs(inverse[3 * i]) + std::abs(inverse[3 * i + 1]) + std::abs(inverse[3 * i + 2]));
+        own = std::max(own, 1 / to_double(magnitude(map_.scale[i])));
+    }
+    return frame * own;
 }
 
 double Placer::rounded(Wide x) {
@@ -145,14 +175,23 @@ HalfSpaceRef Placer::axis_plane(int axis, double value, bool below) {
     return add(SupportKind::kAxisPlane, i, {coordinate(static_cast<std::size_t>(i), value)}, below == flip);
 }
 
+bool Placer::is_axis_plane(Vec3 n, double d) {
+    if ((n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return false;
+    const double entry = n.x + n.y + n.z;
+    return std::fma(d / entry, entry, -d) == 0;
+}
+
 HalfSpaceRef Placer::plane(Vec3 n, double d) {
-    for (int i = 0; i < 3; ++i)
-        if (n[i] != 0 && n[(i + 1) % 3] == 0 && n[(i + 2) % 3] == 0) return axis_plane(i, d / n[i], n[i] > 0);
+    if (is_axis_plane(n, d)) {
+        const int i = n.x != 0 ? 0 : n.y != 0 ? 1 : 2;
+        return axis_plane(i, d / n[i], n[i] > 0);
+    }
+    // The scale is a power of two: it goes into the offset, which it does not round.
     Vec3 m;
-    Wide offset = d;
+    Wide offset = magnitude(map_.scale[0]) * d;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Wide k = map_.scale[i] * n[map_.from[i]];
-        m[static_cast<int>(i)] = to_double(k);
+        const double k = map_.scale[i] < 0 ? -n[map_.from[i]] : n[map_.from[i]];
+        m[static_cast<int>(i)] = k;
         offset += k * map_.shift[i];
     }
     bool inverted = false;
@@ -202,7 +241,19 @@ HalfSpaceRef Placer::tube(Vec3 p, Vec3 q, double r) {
     return add(SupportKind::kTube, 0, {a.x, a.y, a.z, b.x, b.y, b.z, length(r, 0)}, false);
 }
 
-HalfSpaceRef Placer::quadric(const std::array<double, 10>& c) { return add(SupportKind::kQuadric, 0, c, false); }
+HalfSpaceRef Placer::quadric(const std::array<double, 10>& c) {
+    std::array<double, 3> k;  // old coordinate from[i] is k[i] times the new coordinate i
+    for (std::size_t i = 0; i < 3; ++i) k[i] = 1 / to_double(map_.scale[i]);
+    std::array<double, 10> r{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, from = map_.from[i], other = map_.from[j];
+        r[i] = c[from] * k[i] * k[i];
+        r[i + j + 2] = c[from + other + 2] * k[i] * k[j];
+        r[6 + i] = c[6 + from] * k[i];
+    }
+    r[9] = c[9];
+    return add(SupportKind::kQuadric, 0, r, false);
+}
 
 HalfSpaceRef Placer::torus(Vec3 centre, double major, double minor) {
     const Vec3 c = point(centre);

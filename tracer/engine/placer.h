@@ -7,7 +7,8 @@
 namespace whittle {
 
 // How much of a chain's axis map a shape can take into its own numbers.
-enum class Absorb { kAny, kUniformScale, kRigid, kNothing };
+// kRigid: also even scales by powers of two. kExact: what rounds nothing, so powers of two on each axis and no shift.
+enum class Absorb { kAny, kUniformScale, kRigid, kExact, kNothing };
 
 class Placer {
 public:
@@ -16,19 +17,22 @@ public:
 
     // Inside where the coordinate is at most (below) or at least `value`.
     HalfSpaceRef axis_plane(int axis, double value, bool below);
-    HalfSpaceRef plane(Vec3 n, double d);  // n.p <= d; needs kRigid or less, or an axis-parallel n
+    HalfSpaceRef plane(Vec3 n, double d);  // n.p <= d; needs kRigid or less, unless is_axis_plane(n, d)
+    static bool is_axis_plane(Vec3 n, double d);  // n has one entry that is not zero, and d divided by it is a double
     HalfSpaceRef ball(Vec3 centre, double r);
     HalfSpaceRef ellipsoid(Vec3 centre, Vec3 radii);
     HalfSpaceRef cylinder(int axis, Vec3 through, double r);
     HalfSpaceRef cone(int axis, Vec3 through, double z0, double z1, double r0, double r1);
     HalfSpaceRef tube(Vec3 p, Vec3 q, double r);
-    HalfSpaceRef quadric(const std::array<double, 10>& c);
+    HalfSpaceRef quadric(const std::array<double, 10>& c);  // needs kExact or kNothing
     HalfSpaceRef torus(Vec3 centre, double major, double minor);       // about z
     HalfSpaceRef torus_core(Vec3 centre, double major, double minor);  // about z
     SupportId edge_plane(int axis, Vec2 a, Vec2 b);
     SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
 
     FrameId frame() const { return frame_; }
+    // What of the chain the shape's numbers take in.
+    const AxisMap& absorbed() const { return map_; }
     // The frame's axis that the shape's axis becomes.
     int axis_of(int axis) const;
     // The point in the frame's coordinates, each rounded once.
@@ -41,6 +45,7 @@ private:
     HalfSpaceRef add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted);
     double coordinate(std::size_t i, double local);
     double rounded(Wide x);
+    double most_shrunk() const;
 
     Formula& formula_;
     FrameId frame_ = 0;

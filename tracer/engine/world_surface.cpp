@@ -207,6 +207,26 @@ Real value_at(const QuadricForm& q, const Point& y, Point& gradient) {
     return value;
 }
 
+// Moves the point onto the quadric: along the gradient to the nearer crossing, or, where there is none, to the least value, whose gradient lies across
+// the one before. Newton's steps polish.
+bool moved_onto(const QuadricForm& q, Point& y) {
+    constexpr int kSteps = 40, kPolish = 3;
+    Point g;
+    int polished = 0;
+    for (int step = 0; step < kSteps && polished < kPolish; ++step) {
+        const Real v = value_at(q, y, g), g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+        if (!(g2 > 0)) return false;
+        Real bend = 0;
+        for (std::size_t e = 0; e < 6; ++e) bend += (e < 3 ? 1 : 2) * q[e] * g[kPairs[e][0]] * g[kPairs[e][1]];
+        const Real room = g2 * g2 - 4 * bend * v;
+        const Real way = polished > 0 ? -v / g2 : room < 0 ? -g2 / (2 * bend) : -2 * v / (g2 + std::sqrt(room));
+        if (room >= 0) ++polished;
+        for (std::size_t i = 0; i < 3; ++i) y[i] += way * g[i];
+    }
+    const Real left = magnitude(value_at(q, y, g));
+    return left < std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) * 0x1p-50L;
+}
+
 }  // namespace
 
 WorldSurface world_surface(const Support& support, const Frame& frame) {
@@ -238,7 +258,7 @@ Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const
     return worst * std::sqrt(stretch2);
 }
 
-QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped) {
+QuadricForm normalised(const WorldSurface& w, const Vec3& centre, double extent, bool& flipped) {
     std::array<Real, 3> mc{};
     Real c = w.c;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -246,7 +266,7 @@ QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, b
         c += (2 * w.b[i] + mc[i]) * centre[static_cast<int>(i)];
     }
     std::array<Real, 10> r{};
-    for (std::size_t e = 0; e < 6; ++e) r[e] = w.m[e] * extent * extent;
+    for (std::size_t e = 0; e < 6; ++e) r[e] = w.m[e] * extent * Real(extent);
     for (std::size_t i = 0; i < 3; ++i) r[6 + i] = (w.b[i] + mc[i]) * extent;
     r[9] = c;
     Real most = 0;
@@ -261,22 +281,16 @@ QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, b
     return r;
 }
 
-Real quadric_distance(const QuadricForm& a, const QuadricForm& b) {
-    constexpr int kStarts = 24, kSteps = 12, kEnough = 10;  // ten coefficients up to a factor: nine points tell two quadrics apart
+Real quadric_distance(const QuadricForm& a, const QuadricForm& b, const Vec3& half) {
+    constexpr int kStarts = 24, kEnough = 10;  // ten coefficients up to a factor: nine points tell two quadrics apart
+    constexpr Real kAbout = 0.625;
     for (std::size_t i = 0; i < 10; ++i)
         if (magnitude(a[i] - b[i]) > 0x1p-20L) return 1;
     Real worst = 0;
     int reached = 0;
     for (int k = 0; k < kStarts; ++k) {
-        Point y{spread(k, 0), spread(k, 1), spread(k, 2)}, g;
-        for (int step = 0; step < kSteps; ++step) {
-            const Real v = value_at(a, y, g), g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-            if (!(g2 > 0)) break;
-            for (std::size_t i = 0; i < 3; ++i) y[i] -= v * g[i] / g2;
-        }
-        const Real left = magnitude(value_at(a, y, g)), slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-        const Real size = std::max({magnitude(y[0]), magnitude(y[1]), magnitude(y[2])});
-        if (!(size < 2) || !(left < slope * 0x1p-50L)) continue;
+        Point y{half.x * spread(k, 0), half.y * spread(k, 1), half.z * spread(k, 2)}, g;
+        if (!moved_onto(a, y) || std::max({magnitude(y[0]), magnitude(y[1]), magnitude(y[2])}) > kAbout) continue;
         const Real gap = magnitude(value_at(b, y, g)), steep = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
         if (!(steep > 0)) continue;
         worst = std::max(worst, gap / steep);

@@ -27,14 +27,14 @@ WorldSurface world_surface(const Support& support, const Frame& frame);
 // The quadric's ten coefficients (xx yy zz xy xz yz x y z 1, mixed and linear ones halved) with x = centre + extent * y; the largest is 1 in magnitude and
 // the first large one positive.
 using QuadricForm = std::array<Real, 10>;
-QuadricForm normalised(const WorldSurface& w, const Vec3& centre, Real extent, bool& flipped);
+QuadricForm normalised(const WorldSurface& w, const Vec3& centre, double extent, bool& flipped);
 
 // How far points of the first torus are, in the root frame, from the second: at most, over a spread of points that tells any two tori apart, however
 // their frames turn, stretch or shear them.
 Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b);
 
-// How far the second quadric is from points of the first, in and about the box [-1, 1]^3: the points are those that Newton's steps lead to from a
-// spread of starts. 1, more than any tolerance, where the coefficients are plainly different or hardly a start leads anywhere.
-Real quadric_distance(const QuadricForm& a, const QuadricForm& b);
+// How far the second quadric is from points of the first, in and about the box [-half, half] whose largest half is 0.5. 1, more than any tolerance, where
+// the coefficients are plainly different or hardly any point of the first was found there.
+Real quadric_distance(const QuadricForm& a, const QuadricForm& b, const Vec3& half);
 
 }  // namespace whittle
