@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kJoin = 1.0 / 1024;  // OpenSCAD's grid for joining ends
 constexpr int kDeepestInsert = 16;
-constexpr std::size_t kMostStrokes = 10'000'000;
+constexpr std::size_t kMostInserted = 1'000'000;  // entities of blocks: a block of sixteen that are each inserted sixteen times is no drawing
 
 // An open piece: a line, an arc or a polyline, joined to others at its ends.
 struct Stroke {
@@ -39,9 +40,11 @@ class DxfReader {
 public:
     DxfReader(const DxfFile& file, const DrawingRequest& request) : file_(file), request_(request) {}
 
-    void gather() {
+    Result<void> gather() {
         const double s = request_.scale;
         entities(file_.entities, {s, 0, 0, s, -request_.origin.x * s, -request_.origin.y * s}, 0);
+        if (inserted_ > kMostInserted) return fail(Fault::kWorld, fmt::format("its blocks stand for more than {} entities", kMostInserted));
+        return {};
     }
     const std::vector<Stroke>& strokes() const { return strokes_; }
 
@@ -60,7 +63,7 @@ private:
 
     void entities(const std::vector<DxfEntity>& list, const PlaneMap& map, int depth) {
         for (const DxfEntity& e : list) {
-            if (strokes_.size() > kMostStrokes) return;
+            if (depth > 0 && ++inserted_ > kMostInserted) return;
             if (e.type == "INSERT") insert(e, map, depth);
             else if (wanted(e)) entity(e, map);
         }
@@ -68,12 +71,13 @@ private:
 
     void insert(const DxfEntity& e, const PlaneMap& map, int depth) {
         const auto block = file_.blocks.find(e.name);
-        if (block == file_.blocks.end() || depth >= kDeepestInsert) {
+        if (block == file_.blocks.end() || depth >= kDeepestInsert || !open_blocks_.insert(e.name).second) {  // a block in itself has no end
             ++others_["INSERT"];
             return;
         }
         const double sx = e.number(41, 1), sy = e.number(42, 1), a = e.number(50, 0) * kPi / 180;
         entities(block->second, map * PlaneMap{sx * std::cos(a), sx * std::sin(a), -sy * std::sin(a), sy * std::cos(a), e.at[0].x, e.at[0].y}, depth + 1);
+        open_blocks_.erase(e.name);
     }
 
     void entity(const DxfEntity& e, const PlaneMap& map) {
@@ -189,7 +193,8 @@ private:
     std::vector<Stroke> strokes_;
     std::vector<DrawnContour> closed_;
     std::map<std::string, std::size_t> others_;
-    std::size_t open_ = 0;
+    std::set<std::string> open_blocks_;  // being inserted
+    std::size_t open_ = 0, inserted_ = 0;
 };
 
 Result<DxfFile> entities_of(const std::string& text) {
@@ -206,7 +211,7 @@ Result<Drawing> read_dxf(const std::string& text, const DrawingRequest& request)
     const auto file = entities_of(text);
     if (!file) return tl::unexpected(file.error());
     DxfReader reader(*file, request);
-    reader.gather();
+    if (const auto gathered = reader.gather(); !gathered) return tl::unexpected(gathered.error());
     return reader.drawing();
 }
 
@@ -235,7 +240,7 @@ Result<Vec2> read_dxf_crossing(const std::string& text, const std::string& name_
     const auto file = entities_of(text);
     if (!file) return tl::unexpected(file.error());
     DxfReader reader(*file, request);
-    reader.gather();
+    if (const auto gathered = reader.gather(); !gathered) return tl::unexpected(gathered.error());
     std::vector<const Stroke*> lines;
     for (const Stroke& s : reader.strokes())
         if (s.sides.size() == 1 && s.sides[0].degree == 1 && s.sides[0].bulge == 0 && lines.size() < 2) lines.push_back(&s);

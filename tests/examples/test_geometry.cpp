@@ -24,8 +24,10 @@ const std::string kFolder = WHITTLE_SOURCE_DIR "/tests/geometry/";
 // Of openscad's coordinates: booleans put them on a grid of 2^-20, 2D sets on one of 2^-16, and a file holds single precision.
 constexpr double kRelative = 2e-5;
 
-// Parts that abut under a turn of 60 degrees: rounded apart, openscad leaves both walls between them; here they are one surface and go.
+// Parts that abut under a turn of 60 degrees: rounded apart, openscad leaves both walls between them; here they are one surface and go. In openscad's STL the
+// facets that lie against others facing them, within 0.01 mm, measure 888.00 mm2.
 const std::string kKeepsInnerWalls = "Old/example017.scad";
+constexpr double kInnerWalls = 888.0;
 
 struct Facts { double volume = 0, area = 0; Vec3 lo{0}, hi{0}; };
 
@@ -127,7 +129,7 @@ TEST_CASE("the examples that come with openscad, in its facets, have the volume,
         CAPTURE(name);
         const Facts ours = made_of_file(folder + name);
         if (name == kKeepsInnerWalls) {
-            CHECK(ours.area < theirs.area);
+            CHECK(theirs.area - ours.area == Approx(kInnerWalls).epsilon(1e-4));
             theirs.area = ours.area;
         }
         check_same(ours, theirs);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "csg/solid/polyhedron.h"
+#include "modeler/io/dxf.h"
 #include "modeler/io/file_imports.h"
 #include "modeler/mesh/zip.h"
 
@@ -283,6 +284,25 @@ TEST_CASE("DXF: lines and arcs are joined by their ends, a polyline's bulges are
     CHECK(pie.start == Vec2(-2, 0));
     bool open = says(drawing_of("a.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n0\nEOF\n").remarks, "1 outlines are open");
     CHECK(open);
+}
+
+TEST_CASE("DXF: blocks that stand in themselves or for millions of entities are told, not drawn") {
+    const auto block = [](const std::string& name, const std::string& inside, int times) {
+        std::string out = "0\nBLOCK\n2\n" + name + "\n0\nCIRCLE\n40\n1\n";
+        for (int i = 0; i < times; ++i) out += "0\nINSERT\n2\n" + inside + "\n";
+        return out + "0\nENDBLK\n";
+    };
+    const auto file = [](const std::string& blocks) {
+        return "0\nSECTION\n2\nBLOCKS\n" + blocks + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nA\n0\nENDSEC\n0\nEOF\n";
+    };
+    const Drawing itself = drawing_of("a.dxf", file(block("A", "A", 3)));
+    CHECK(itself.figures.at(0).contours.size() == 1);
+    CHECK(says(itself.remarks, "3 entities INSERT passed over"));
+    std::string deep;
+    for (char name = 'A'; name < 'I'; ++name) deep += block(std::string(1, name), std::string(1, static_cast<char>(name + 1)), 10);
+    const auto refused = read_dxf(file(deep), {});
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message == "its blocks stand for more than 1000000 entities");
 }
 
 TEST_CASE("height maps: rows of numbers, comments, and what is no number by its line") {
