@@ -112,9 +112,10 @@ private:
             return take_closed(builder);
         }
         const auto at = [&](double t) { return centre + u * std::cos(t) + v * std::sin(t); };
+        const Vec2 start = map.point(at(from));
+        if (map.point(at(from + sweep)) == start) return;  // no larger than roundings
         builder.move_to(map, at(from));
         builder.arc(map, centre, u, v, from, sweep, at(from + sweep));
-        const Vec2 start = map.point(at(from));
         auto contours = builder.take();
         auto& sides = contours[0].sides;
         sides.pop_back();  // the line that closes it
@@ -144,7 +145,8 @@ private:
     // Chains strokes end to end until they close.
     void join() {
         std::multimap<std::pair<std::int64_t, std::int64_t>, std::size_t> by_cell;
-        const auto cell = [](Vec2 p) { return std::pair(static_cast<std::int64_t>(std::floor(std::clamp(p.x, -1e15, 1e15) / kJoin)), static_cast<std::int64_t>(std::floor(std::clamp(p.y, -1e15, 1e15) / kJoin))); };
+        const auto along = [](double x) { return std::isnan(x) ? 0 : static_cast<std::int64_t>(std::floor(std::clamp(x, -1e15, 1e15) / kJoin)); };
+        const auto cell = [along](Vec2 p) { return std::pair(along(p.x), along(p.y)); };
         for (std::size_t i = 0; i < strokes_.size(); ++i) by_cell.emplace(cell(strokes_[i].start), i), by_cell.emplace(cell(strokes_[i].end()), i);
         std::vector<bool> used(strokes_.size());
         // The nearest stroke not used yet with an end at p; the lower number of equals.

@@ -305,6 +305,12 @@ TEST_CASE("DXF: blocks that stand in themselves or for millions of entities are 
     CHECK(refused.error().message == "its blocks stand for more than 1000000 entities");
 }
 
+TEST_CASE("DXF: an arc too small for its place is no outline") {
+    const Drawing none = drawing_of("a.dxf", "0\nSECTION\n2\nENTITIES\n0\nARC\n10\n1e9\n20\n1e9\n40\n1e-9\n50\n0\n51\n90\n0\nENDSEC\n0\nEOF\n");
+    CHECK(none.figures.empty());
+    CHECK(none.remarks.empty());
+}
+
 TEST_CASE("height maps: rows of numbers, comments, and what is no number by its line") {
     const Folder folder;
     FileImports imports;
