@@ -78,15 +78,23 @@ Bounds placed_bounds(const Bounds& box, const Placement& placement) {
     return r;
 }
 
-// A point on a screw of angle w leaves its chord c by at most c/2 * tan(w/4) <= c/2; as much again covers a change of scale on the way.
+// A point whose places in the linear parts are y0 and y1 departs from the chord of its ends by at most 2 (1 - t) sin(t w / 2) |y0| +
+// 2 t sin((1 - t) w / 2) |y1| on a turn of w: for half a turn, the most there is, 0.72 (|y0| + |y1|). Translations are linear in time and depart by nothing.
 Bounds moved_bounds(const Bounds& box, const Motion& motion) {
+    constexpr double kMostDeparture = 0.72;
     const Bounds ends = around(placed_bounds(box, motion.start), placed_bounds(box, motion.end));
     if (ends.empty() || (is_translation(motion.start) && is_translation(motion.end))) return ends;
-    double reach = 0;
+    const auto linear = [](Placement p) {
+        p.m[3] = p.m[7] = p.m[11] = 0;
+        return p;
+    };
+    double from = 0, to = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p{(corner & 1 ? box.hi : box.lo).x, (corner & 2 ? box.hi : box.lo).y, (corner & 4 ? box.hi : box.lo).z};
-        reach = std::max(reach, distance_up(apply_to_point(motion.start, p), apply_to_point(motion.end, p)));
+        from = std::max(from, distance_up(apply_to_point(linear(motion.start), p), Vec3(0)));
+        to = std::max(to, distance_up(apply_to_point(linear(motion.end), p), Vec3(0)));
     }
+    const double reach = kMostDeparture * add_up(from, to);
     if (!std::isfinite(reach)) return {Vec3(-kInfinity), Vec3(kInfinity)};
     Bounds r;
     for (int i = 0; i < 3; ++i) {

@@ -67,10 +67,10 @@ FormulaId FormulaBuilder::use(const Use& use, const Site& site) {
     if (use.motion == 0) {
         inner.chain = site.chain.then(use.placement);
     } else {
-        // A group of its own: what stands above is rounded once, what stands below starts anew.
+        // A group of its own: what stands above, the use's placement too, is rounded once, what stands below starts anew.
         inner.motion = static_cast<MotionId>(out_.motions.size());
-        out_.motions.push_back({site.motion, site.chain.whole(), solid_.motion(use.motion)});
-        inner.chain = Chain().then(use.placement);
+        out_.motions.push_back({site.motion, site.chain.then(use.placement).whole(), MotionPath(solid_.motion(use.motion))});
+        inner.chain = Chain();
     }
     Material mixed;
     if (use.label != kNoLabel) {

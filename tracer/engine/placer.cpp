@@ -122,9 +122,11 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
     rounding_per_size_ = (chain.rounding_for(1) - chain.rounding_for(0)) * most_shrunk();
     formula_.largest_displacement = std::max(formula_.largest_displacement, taken ? chain.displacement_of_outer(to_double(reach_of_map(map_, size))) : chain.displacement_of_whole(size));
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
-    if (finite && motion == 0) {
-        root_box_ = placed_bounds(box, chain.whole());
-        const double room = 4 * rounding_;
+    if (finite) {
+        root_box_ = swept_bounds(formula.motions, motion, placed_bounds(box, chain.whole()));
+        // What moves is placed once more for every time, with a few dozen roundings.
+        constexpr double kRoundingOfPath = 0x1p-46;
+        const double room = 4 * rounding_ + (motion == 0 ? 0 : kRoundingOfPath * (glm::length(root_box_.lo) + glm::length(root_box_.hi)));
         root_box_.lo -= room;
         root_box_.hi += room;
     }

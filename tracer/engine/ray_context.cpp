@@ -1,6 +1,8 @@
 // ray_context.cpp — frames, crossings and comparisons of one ray.
 #include "tracer/engine/ray_context.h"
 
+#include <cstring>
+
 namespace whittle {
 
 void RayContext::start(const Program& program, const Ray& ray, EngineCounters& counters) {
@@ -35,8 +37,10 @@ namespace {
 Placement whole_motion(const std::vector<MotionGroup>& motions, MotionId id, double time) {
     if (id == 0) return {};
     const MotionGroup& g = motions[id];
-    return whole_motion(motions, g.parent, time) * g.outer * placement_at(g.motion, time);
+    return whole_motion(motions, g.parent, time) * g.outer * g.path.at(time);
 }
+
+bool same_bits(const Placement& a, const Placement& b) { return std::memcmp(a.m.data(), b.m.data(), sizeof a.m) == 0; }
 
 }  // namespace
 
@@ -55,7 +59,9 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
         if (f.motion == 0) {
             frame_rays_[id] = ray_in_frame(f, ray_);
         } else {
-            moved_[id] = make_frame(whole_motion(program_->motions, f.motion, ray_.time) * f.placement);
+            // Rays of one sample share its time: the inverse of the same placement is kept.
+            const Placement now = whole_motion(program_->motions, f.motion, ray_.time) * f.placement;
+            if (!same_bits(moved_[id].placement, now)) moved_[id] = make_frame(now);
             frame_rays_[id] = ray_in_frame(moved_[id], ray_);
         }
     }
