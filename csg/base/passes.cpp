@@ -23,7 +23,13 @@ constexpr PassInfo kPasses[] = {
     {"cells", "deep trees divided into the cells of an octree"},
     // tracer/light
     {"packets", "the camera and shadow rays of a tile met together"},
-    {"media", "no division by matter where nothing is clear"},
+    {"shadows", "no shadow rays to lamps that give no light"},
+    {"media", "no division by matter, nor a list of the matters a ray is in, where nothing is clear"},
+    {"photons", "no rays from the lamps where nothing focuses light onto something dull"},
+    {"spectrum", "three channels, no wavelengths, where nothing disperses"},
+    {"lens", "no places on the lens without an aperture"},
+    {"shutter", "no times where nothing moves"},
+    {"areas", "no places on lamps without a size"},
 };
 
 }  // namespace

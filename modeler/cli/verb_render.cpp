@@ -47,12 +47,14 @@ void count(Stats& stats, const RenderCounters& counters) {
     add("media_stack", counters.media_stack);
     add("normals", counters.normals);
     add("wavelengths", counters.wavelengths);
+    add("draws", counters.draws);
     add("skip.shadows", counters.skipped_shadows);
     add("skip.media", counters.skipped_media);
     add("skip.lens", counters.skipped_lens);
     add("skip.shutter", counters.skipped_shutter);
     add("skip.spectrum", counters.skipped_spectrum);
     add("skip.photons", counters.skipped_photons);
+    add("skip.areas", counters.skipped_areas);
     stats.add(counters.engine);
 }
 

@@ -35,7 +35,8 @@ LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& s
     const LightSource& lamp = stage_.lights[number];
     // A single sample of an area stands in its middle.
     Vec2 u = lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0);
-    if (lamp.extended() && stage_.options.samples * parts > 1 && stage_.integrator != Integrator::kCone) {
+    if ((lamp.extended() || stage_.needs.sizeless) && stage_.options.samples * parts > 1 && stage_.integrator != Integrator::kCone) {
+        ++counters_.draws;
         const std::uint32_t place = static_cast<std::uint32_t>(bounce) % kBouncesApart + kBouncesApart * static_cast<std::uint32_t>(number);
         u = sampler.pair(Draw::kLight, place, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts));
     }
@@ -62,6 +63,7 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
     const Surface* within = border.before;
     for (int i = 0; i < kMostBorders; ++i) {
         Border next;
+        ++counters_.media_stack;
         if (!stage_.world.next(ray, &leaving, distance, scratch_, next)) return within && std::isfinite(distance) ? share * absorbed(within->absorption, distance) : share;
         within = next.after;
         const Surface& s = *next.surface;

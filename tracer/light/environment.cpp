@@ -25,8 +25,10 @@ double pixel_angle(int y, int width, int height) {
     return 2 * kPi / width * (cosd(180.0 * y / height) - cosd(180.0 * (y + 1) / height));
 }
 
+constexpr double kFirstHarmonic = 0.282095;
+
 std::array<double, 9> harmonics_at(Vec3 d) {
-    return {0.282095, 0.488603 * d.y, 0.488603 * d.z, 0.488603 * d.x, 1.092548 * d.x * d.y, 1.092548 * d.y * d.z, 0.315392 * (3 * d.z * d.z - 1),
+    return {kFirstHarmonic, 0.488603 * d.y, 0.488603 * d.z, 0.488603 * d.x, 1.092548 * d.x * d.y, 1.092548 * d.y * d.z, 0.315392 * (3 * d.z * d.z - 1),
             1.092548 * d.x * d.z, 0.546274 * (d.x * d.x - d.y * d.y)};
 }
 
@@ -101,6 +103,8 @@ void EnvironmentMap::project() {
             for (std::size_t i = 0; i < basis.size(); ++i) harmonics_[i] += light * (basis[i] * kBands[i]);
         }
 }
+
+Vec3 EnvironmentMap::mean() const { return harmonics_[0] / (kFirstHarmonic * 4 * kPi); }
 
 Vec2 EnvironmentMap::place_of(Vec3 d) const {
     const double a = glm::dot(d, x_), b = glm::dot(d, y_), c = glm::dot(d, z_);

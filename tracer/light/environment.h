@@ -22,6 +22,8 @@ public:
     // Irradiance / pi on a surface with this normal, were nothing in the way: nine spherical harmonics, a few percent off. Source: Ramamoorthi and
     // Hanrahan, An Efficient Representation for Irradiance Environment Maps (2001).
     Vec3 smooth(Vec3 normal) const;
+    // Radiance, mean over all directions.
+    Vec3 mean() const;
     bool dark() const { return !(total_ > 0); }
 
     struct Drawn {

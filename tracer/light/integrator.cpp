@@ -24,7 +24,7 @@ CameraSample camera_sample(const Stage& stage, int x, int y, int index, double p
     else s.ray = camera_ray(stage.lens, (px - stage.options.width / 2.0) / half, (half - py) / half, sampler.pair(Draw::kLens));
     // A single sample shows time 0, as the planes do. Photons of one pass have one time, and so have the eyes that meet them.
     if (!distributes || !stage.needs.shutter || stage.options.samples == 1) return s;
-    s.ray.time = stage.light_passes ? time_of_pass(stage, index) : sampler.pair(Draw::kTimeAndWavelength).x;
+    s.ray.time = stage.light_passes && stage.needs.photons ? time_of_pass(stage, index) : sampler.pair(Draw::kTimeAndWavelength).x;
     return s;
 }
 
@@ -39,7 +39,7 @@ CameraLight Integration::radiance(const CameraSample& sample, const Sampler& sam
     if (!std::isfinite(light.radiance.x + light.radiance.y + light.radiance.z)) ++counters_.no_numbers;
     if (!stage_.light_passes) return light;
     const LightPass* pass = std::get<PathTracer>(walker_).pass();
-    if (pass->draws_on_picture()) light.drawn = pass->on_pixel(static_cast<std::uint32_t>(sample.y) * static_cast<std::uint32_t>(stage_.options.width) + static_cast<std::uint32_t>(sample.x));
+    if (pass && pass->draws_on_picture()) light.drawn = pass->on_pixel(static_cast<std::uint32_t>(sample.y) * static_cast<std::uint32_t>(stage_.options.width) + static_cast<std::uint32_t>(sample.x));
     return light;
 }
 

@@ -37,17 +37,21 @@ CameraLight PathTracer::camera_light(const Ray& ray, double height, const Sample
 // A tile draws one sample of many pixels after the other.
 void PathTracer::take_pass(int number) {
     if (!stage_.light_passes || number == pass_number_) return;
-    pass_ = stage_.light_passes->pass(number);
+    auto pass = stage_.light_passes->pass(number);
     pass_number_ = number;
+    // Made in vain (--disable photons), it says nothing.
+    if (stage_.needs.photons) pass_ = std::move(pass);
 }
 
 // Light from where nothing is met.
 Vec3 PathTracer::surroundings(const Walk& walk, double height) const {
     if (walk.straight && !walk.departs) return stage_.surroundings.backdrop(walk.ray.direction, height);
+    // A picture's light onto what is dull, by way of mirrors and glass: the photons bring that.
+    if (walk.single && walk.dull && pass_ && stage_.surroundings.map()) return Vec3(0);
     if (walk.single) return stage_.surroundings.radiance(walk.ray.direction);
     // Behind rough scattering the studio is its smooth sky: the key's soft box is sampled as a lamp.
     const Vec3 sky = stage_.surroundings.is_studio() ? stage_.surroundings.sky(walk.ray.direction) : stage_.surroundings.radiance(walk.ray.direction);
-    if (!stage_.surroundings.map()) return sky;
+    if (!stage_.surroundings.map() || !stage_.options.sample_lamps) return sky;
     return sky * weighed(walk.density, stage_.surroundings.map()->density(walk.ray.direction) * stage_.options.light_samples);
 }
 
@@ -55,7 +59,7 @@ void PathTracer::meet_lamp(Walk& walk, const LightMet& lamp) const {
     // Through mirrors and glass onto what is dull: the photons bring that.
     if (pass_ && walk.dull && walk.single) return;
     const double other = lamp.density * direct_.parts_of(stage_.lights[lamp.light]);
-    walk.radiance += walk.carried() * lamp.radiance * (walk.single ? 1.0 : weighed(walk.density, other));
+    walk.radiance += walk.carried() * lamp.radiance * (walk.single || !stage_.options.sample_lamps ? 1.0 : weighed(walk.density, other));
 }
 
 // One border further; false where the walk ends.
@@ -99,15 +103,15 @@ void PathTracer::add_lamps(Walk& walk, const Border& border, const Bsdf& bsdf, c
     for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
         const LightSource& light = stage_.lights[i];
         // The studio's fill stands for light between surfaces, which is walked here.
-        if (!light.casts_shadow) continue;
+        const bool seen = light.extended() && !stage_.surroundings.is_studio();
+        if (!light.casts_shadow || (seen && !stage_.options.sample_lamps)) continue;
         const int parts = direct_.parts_of(light);
         for (int k = 0; k < parts; ++k) {
             const LightSample sample = direct_.sample(i, border.point, sampler, walk.bounce, k, parts);
             const double cos_light = glm::dot(border.normal, sample.direction);
-            if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
+            if (!(cos_light > 0) || (sample.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
             const Vec3 open = direct_.transmittance(border, sample.direction, sample.distance, walk.ray.time, ClearShadows::kBlock);
             if (open == Vec3(0)) continue;
-            const bool seen = light.extended() && !stage_.surroundings.is_studio();
             const double weight = seen ? weighed(sample.density * parts, bsdf.density(sample.direction, cos_light)) : 1;
             walk.radiance += walk.carried() * bsdf.value(sample.direction, cos_light) * open * sample.radiance * (cos_light * weight / parts);
         }
@@ -153,6 +157,7 @@ bool PathTracer::scatter(Walk& walk, const Border& border, const Bsdf& bsdf, con
 }
 
 bool PathTracer::scatter_clear(Walk& walk, const Border& border, Vec2 u, double choice, const Sampler& sampler) {
+    if (stage_.spectrum) ++counters_.draws;
     const CrossingDraws draws{u, choice, stage_.spectrum ? sampler.pair(Draw::kTimeAndWavelength).y : 0};
     const std::optional<Crossing> crossing = cross_border(stage_, border, walk.ray.direction, draws, walk.hues);
     if (!crossing) return false;

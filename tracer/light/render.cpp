@@ -172,12 +172,13 @@ private:
 };
 
 void count_skips(const Stage& stage, RenderCounters& c) {
-    if (!stage.needs.shadows) c.skipped_shadows = c.camera;
+    if (!stage.needs.shadows && !stage.needs.dark_lamps) c.skipped_shadows = c.camera;
     if (!stage.needs.see_through) c.skipped_media = c.camera;
     if (!stage.needs.lens) c.skipped_lens = c.camera;
     if (!stage.needs.shutter) c.skipped_shutter = c.camera;
     if (!stage.spectrum) c.skipped_spectrum = c.camera;
     if (!stage.light_passes) c.skipped_photons = c.camera;
+    if (!stage.needs.soft_lights) c.skipped_areas = c.camera;
 }
 
 }  // namespace
@@ -192,12 +193,14 @@ RenderCounters& RenderCounters::operator+=(const RenderCounters& o) {
     media_stack += o.media_stack;
     normals += o.normals;
     wavelengths += o.wavelengths;
+    draws += o.draws;
     skipped_shadows += o.skipped_shadows;
     skipped_media += o.skipped_media;
     skipped_lens += o.skipped_lens;
     skipped_shutter += o.skipped_shutter;
     skipped_spectrum += o.skipped_spectrum;
     skipped_photons += o.skipped_photons;
+    skipped_areas += o.skipped_areas;
     no_numbers += o.no_numbers;
     engine += o.engine;
     return *this;

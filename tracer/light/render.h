@@ -56,6 +56,9 @@ struct RenderOptions {
     double stop_after_s = 0;             // stop after this time, but never within the first pass; 0: never
     int threads = 0;                     // 0: all cores
     std::vector<std::string> disabled_passes;
+    // Other estimators of the same picture, to hold one against the other. False: lamps with a size are met by chance only (paths); caustics that the eye
+    // sees at once are gathered as photons too.
+    bool sample_lamps = true, trace_onto_picture = true;
 };
 
 // What evaluation found beside the solid.
@@ -89,7 +92,8 @@ struct RenderControl {
 struct RenderCounters {
     std::uint64_t camera = 0, shadow = 0, reflection = 0, refraction = 0, diffuse = 0;
     std::uint64_t photons = 0, media_stack = 0, normals = 0, wavelengths = 0;
-    std::uint64_t skipped_shadows = 0, skipped_media = 0, skipped_lens = 0, skipped_shutter = 0, skipped_spectrum = 0, skipped_photons = 0;
+    std::uint64_t draws = 0;  // of places on lens and lamps, times, wavelengths
+    std::uint64_t skipped_shadows = 0, skipped_media = 0, skipped_lens = 0, skipped_shutter = 0, skipped_spectrum = 0, skipped_photons = 0, skipped_areas = 0;
     std::uint64_t no_numbers = 0;  // samples that came out as no number: they count as dark
     EngineCounters engine;
     RenderCounters& operator+=(const RenderCounters& o);

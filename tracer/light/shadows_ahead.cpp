@@ -41,7 +41,7 @@ void ShadowsAhead::ask_lamp(std::size_t lamp, int part, int parts, const FirstBo
         const CameraSample& s = samples[k];
         const Sampler sampler(stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index));
         const LightSample light = direct_.sample(lamp, border.point, sampler, 0, part, parts);
-        if (!(glm::dot(border.normal, light.direction) > 0) || light.radiance == Vec3(0)) continue;
+        if (!(glm::dot(border.normal, light.direction) > 0) || (light.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
         Ray& ray = rays_[asked];
         ray.origin = border.point;
         ray.direction = light.direction;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "csg/base/passes.h"
 #include "tracer/image/tone.h"
 #include "tracer/light/light_pass.h"
 
@@ -14,8 +15,6 @@ namespace whittle {
 namespace {
 
 constexpr std::array<std::string_view, 7> kIntegratorNames{"auto", "preview", "whitted", "distributed", "path", "caustics", "cone"};
-
-bool listed(const std::vector<std::string>& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
 Result<void> check(const RenderOptions& o) {
     // A film is held in memory: 2^28 pixels are 16 GiB of sums.
@@ -41,14 +40,13 @@ bool moves(const Solid& solid) {
     return false;
 }
 
-StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, const Lens& lens, const Solid* solid, const RenderOptions& options) {
+StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, const Lens& lens, const Solid* solid) {
     StageNeeds n;
     n.shutter = solid && moves(*solid);
     bool focuses = false, receives = false;
-    n.shadows = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.casts_shadow; });
+    n.shadows = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.casts_shadow && l.emitted != Vec3(0); });
     n.soft_lights = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.extended(); });
     n.lens = lens.aperture > 0;
-    n.see_through = listed(options.disabled_passes, "media");
     for (std::size_t part = 0; part < world.part_count(); ++part)
         for (const Surface& s : world.surfaces(part)) {
             n.see_through = n.see_through || s.see_through();
@@ -58,9 +56,19 @@ StageNeeds needs_of(const World& world, const std::vector<LightSource>& lights, 
             focuses = focuses || s.focuses();
             receives = receives || s.receives();
         }
-    const bool lamps = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.kind != LightKind::kEnvironment && l.emitted != Vec3(0); });
+    const bool lamps = std::any_of(lights.begin(), lights.end(), [](const LightSource& l) { return l.emitted != Vec3(0); });
     n.photons = lamps && focuses && receives;
     return n;
+}
+
+// What passes that are switched off would have left out. The choice of the integrator is behind us, and no byte depends on this.
+void need_in_vain(const std::vector<std::string>& disabled, StageNeeds& n) {
+    n.dark_lamps = is_disabled(disabled, "shadows");
+    n.sizeless = is_disabled(disabled, "areas");
+    n.see_through = n.see_through || is_disabled(disabled, "media");
+    n.lens = n.lens || is_disabled(disabled, "lens");
+    n.shutter = n.shutter || is_disabled(disabled, "shutter");
+    n.soft_lights = n.soft_lights || n.sizeless;
 }
 
 struct Choice {
@@ -120,20 +128,24 @@ Result<void> add_lights(const RenderScene& scene, Vec3 centre, Stage& stage) {
     return {};
 }
 
-// Only integrators that sample areas draw from a picture of surroundings; the others look at it smoothed.
-void drop_environment_lamps(Stage& stage) {
-    if (!stage.distributes())
-        stage.lights.erase(std::remove_if(stage.lights.begin(), stage.lights.end(), [](const LightSource& l) { return l.kind == LightKind::kEnvironment; }), stage.lights.end());
+// Only integrators that sample areas draw from a picture of surroundings; the others look at it smoothed. A lamp without light gets no shadow rays.
+void drop_lamps(Stage& stage) {
+    const auto useless = [&stage](const LightSource& l) {
+        return (l.kind == LightKind::kEnvironment && !stage.distributes()) || (l.emitted == Vec3(0) && !stage.needs.dark_lamps);
+    };
+    stage.lights.erase(std::remove_if(stage.lights.begin(), stage.lights.end(), useless), stage.lights.end());
 }
 
 void add_light_passes(const Bounds& bounds, bool studio, Stage& stage) {
     if (stage.integrator != Integrator::kCaustics || studio) return;
-    stage.emission = Emission(stage.lights, stage.world.focusing_bounds(), bounds);
-    if (!stage.needs.photons || !stage.emission.shines()) return;
+    const bool in_vain = is_disabled(stage.options.disabled_passes, "photons") && !stage.needs.photons;
+    if (!stage.needs.photons && !in_vain) return;
+    stage.emission = Emission(stage.lights, aims_around(in_vain ? std::vector<Bounds>{bounds} : stage.world.focusing_bounds()), bounds);
+    if (!stage.emission.shines()) return;
     // As many rays as pixels, so that lamp and eye share the work; enough for small pictures, not too many to be held.
     constexpr double kFewest = 0x1p14, kMost = 0x1p18;
     const double pixels = static_cast<double>(stage.options.width) * stage.options.height;
-    const auto draws = listed(stage.options.disabled_passes, "light_tracing") ? LightPasses::Draws::kNothing : LightPasses::Draws::kOntoPicture;
+    const auto draws = stage.options.trace_onto_picture ? LightPasses::Draws::kOntoPicture : LightPasses::Draws::kNothing;
     stage.light_passes = std::make_shared<const LightPasses>(stage, static_cast<int>(std::clamp(pixels, kFewest, kMost)), draws);
 }
 
@@ -180,15 +192,16 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     } else {
         if (const Result<void> added = add_lights(scene, centre_of(bounds), *stage); !added) return tl::unexpected<Error>(added.error());
     }
-    stage->needs = needs_of(stage->world, stage->lights, *lens, scene.solid, options);
+    stage->needs = needs_of(stage->world, stage->lights, *lens, scene.solid);
     const Choice choice = cheapest(stage->needs, studio);
     stage->integrator = options.integrator == Integrator::kAuto ? choice.integrator : options.integrator;
     if (options.integrator == Integrator::kAuto) stage->reason = choice.reason;
-    drop_environment_lamps(*stage);
-    if (stage->needs.spectrum && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();
+    need_in_vain(options.disabled_passes, stage->needs);
+    drop_lamps(*stage);
+    if ((stage->needs.spectrum || is_disabled(options.disabled_passes, "spectrum")) && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();
     add_light_passes(bounds, studio, *stage);
     if (stage->shows_scheme()) stage->world.recolor(*options.scheme);
-    stage->packets = !listed(options.disabled_passes, "packets");
+    stage->packets = !is_disabled(options.disabled_passes, "packets");
     stage->filter = FilterSampler(options.filter);
     stage->thickness_scale = half_diagonal(bounds) / 4;
     stage->program = std::move(program);

@@ -26,6 +26,8 @@ struct StageNeeds {
     bool shutter = false;     // something moves
     bool spectrum = false;    // an index depends on the wavelength
     bool photons = false;     // lamps shine through something that focuses onto something dull
+    bool dark_lamps = false;  // lamps without light are asked all the same
+    bool sizeless = false;    // places are drawn on lamps without a size
 };
 
 class LightPasses;

@@ -57,7 +57,7 @@ std::vector<PixelPlace> pixels_by_blocks(TileRegion tile) {
 class TileWork {
 public:
     TileWork(const Stage& stage, Scratch& scratch, RenderCounters& counters)
-        : stage_(stage), scratch_(scratch), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
+        : stage_(stage), scratch_(scratch), counters_(counters), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
           shadows_(stage, scratch, counters) {
         if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
     }
@@ -89,6 +89,7 @@ private:
             rays_[k] = samples_[k].ray;
             weights_[k] = place.weight;
         }
+        if (stage_.distributes()) counters_.draws += (static_cast<std::uint64_t>(stage_.needs.lens) + static_cast<std::uint64_t>(stage_.needs.shutter)) * pixels.size();
     }
 
     void meet(int count) {
@@ -117,6 +118,7 @@ private:
 
     const Stage& stage_;
     Scratch& scratch_;
+    RenderCounters& counters_;
     Integration integration_;
     Spans spans_;
     Vec3 background_{0};

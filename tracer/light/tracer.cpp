@@ -141,7 +141,7 @@ Vec3 Tracer::lit(const Surface& s, const Border& border, const Bsdf& bsdf, const
         for (int k = 0; k < parts; ++k) {
             const LightSample sample = direct_.sample(i, border.point, *sampler_, branch.depth, k, parts);
             const double cos_light = glm::dot(border.normal, sample.direction);
-            if (!(cos_light > 0) || sample.radiance == Vec3(0)) continue;
+            if (!(cos_light > 0) || (sample.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
             const bool shadow = light.casts_shadow && stage_.integrator != Integrator::kPreview;
             const Vec3 share = shadow && cones() && light.extended() ? direct_.cone_transmittance(border, light, sample)
                                : shadow                              ? direct_.transmittance(border, sample.direction, sample.distance, time_, ClearShadows::kLetThrough)
@@ -212,6 +212,7 @@ Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& borde
     // The reflected branch keeps all wavelengths together, the refracted one has the hero's way.
     Branch bent = onward;
     Vec3 hue(1);
+    if (stage_.spectrum) ++counters_.draws;
     if (stage_.spectrum && disperses(border) && bent.hues.white()) {
         bent.hues.begin(*stage_.spectrum, sampler_->pair(Draw::kTimeAndWavelength).y);
         bent.hues.hero_alone(*stage_.spectrum);
@@ -241,6 +242,7 @@ Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& borde
 
 Vec3 Tracer::through_rough(const Ray& ray, const Border& border, const Branch& branch) {
     const auto vertex = static_cast<std::uint32_t>(branch.depth);
+    if (stage_.spectrum) ++counters_.draws;
     const CrossingDraws draws{lobe(branch), sampler_->pair(Draw::kChoice, vertex).x, stage_.spectrum ? sampler_->pair(Draw::kTimeAndWavelength).y : 0};
     Branch onward = branch;
     const std::optional<Crossing> crossing = cross_border(stage_, border, ray.direction, draws, onward.hues);

@@ -69,8 +69,8 @@ Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* sol
     return world;
 }
 
-Bounds World::focusing_bounds() const {
-    Bounds all;
+std::vector<Bounds> World::focusing_bounds() const {
+    std::vector<Bounds> all;
     for (const Part& part : parts_) {
         const Program& program = *part.program;
         for (std::size_t i = 0; i < program.leaves.size(); ++i) {
@@ -78,8 +78,7 @@ Bounds World::focusing_bounds() const {
             const FloatBox& leaf = program.leaf_boxes[i];
             // A leaf without end shows no more than the solid holds.
             const Bounds own{glm::max(Vec3(leaf.lo[0], leaf.lo[1], leaf.lo[2]), program.bounds.lo), glm::min(Vec3(leaf.hi[0], leaf.hi[1], leaf.hi[2]), program.bounds.hi)};
-            if (own.empty()) continue;
-            all = all.empty() ? own : Bounds{glm::min(all.lo, own.lo), glm::max(all.hi, own.hi)};
+            if (!own.empty()) all.push_back(own);
         }
     }
     return all;

@@ -76,8 +76,8 @@ public:
 
     const Program& whole() const { return *parts_[0].program; }
     bool divided() const { return parts_.size() > 1; }
-    // Around what is a mirror or clear.
-    Bounds focusing_bounds() const;
+    // Around each thing that is a mirror or clear.
+    std::vector<Bounds> focusing_bounds() const;
     // Of all parts; those of the whole solid by its leaf uses where it is not divided.
     const std::vector<Surface>& surfaces(std::size_t part) const { return parts_[part].surfaces; }
     std::size_t part_count() const { return parts_.size(); }

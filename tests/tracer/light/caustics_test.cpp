@@ -1,9 +1,13 @@
 // Light from the lamps through what focuses: energy, and that it agrees with paths from the eye.
 #include "scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "tracer/light/aims.h"
+#include "tracer/light/emission.h"
 #include "tracer/light/light_pass.h"
+#include "tracer/light/sampler.h"
 #include "tracer/light/scattering.h"
 #include "tracer/light/stage.h"
 
@@ -144,7 +148,7 @@ TEST_CASE("caustics drawn from the lamp, gathered as photons and found by paths 
     CHECK(chi_square(tiles_of_film(path.film, 4), tiles_of_film(lit.film, 4)) < 39.3);
 
     RenderOptions photons_only = caustics_options(16, 64);
-    photons_only.disabled_passes = {"light_tracing"};
+    photons_only.trace_onto_picture = false;
     const TileMeans gathered = tiles_of_film(drawn(solid, lamp_and_caustic(), photons_only).film, 16), whole = tiles_of_film(lit.film, 16);
     // The search radius spreads light over its disc: up to 4 percent here.
     CHECK(gathered.mean[0] == Approx(whole.mean[0]).epsilon(0.04));
@@ -154,6 +158,72 @@ TEST_CASE("caustics drawn from the lamp, gathered as photons and found by paths 
     b.add(b.ball(5, matte(0, 0, 0), moved(0, 0, 8)));
     b.add(b.box(Vec3(-60, -60, -1), Vec3(60, 60, 0), matte(0.7, 0.7, 0.7)));
     CHECK(tiles_of_film(drawn(b.finish(), lamp_and_caustic(), none).film, 16).mean[0] < 0.8 * whole.mean[0]);
+}
+
+TEST_CASE("a picture of the surroundings sends its light through what focuses, as paths from the eye find it") {
+    // Dim all around, and a bright patch of about 22 degrees high up.
+    const auto sky = [](const std::string&, const SourcePlace&) -> Result<Image> {
+        Image image;
+        image.width = 64;
+        image.height = 32;
+        image.channels = {"R", "G", "B"};
+        image.types.assign(3, ChannelType::kFloat);
+        image.floats.assign(64 * 32 * 3, 0.1f);
+        for (std::size_t y = 6; y < 10; ++y)
+            for (std::size_t x = 3 * 50; x < 3 * 54; ++x) image.floats[y * 64 * 3 + x] = 30;
+        return image;
+    };
+    RenderScene scene = lamp_and_caustic();
+    EnvironmentLight around;
+    around.file = "sky";
+    scene.lights = {Light{around, {}}};
+    scene.read_picture = sky;
+    const Solid solid = ball_over_floor(8);
+    const RenderResult path = drawn(solid, scene, caustics_options(16, 1024, Integrator::kPath)), lit = drawn(solid, scene, caustics_options(16, 128));
+    CHECK(path.counters.photons == 0);
+    CHECK(lit.counters.photons > 0);
+    CHECK(chi_square(tiles_of_film(path.film, 4), tiles_of_film(lit.film, 4)) < 39.3);
+    // The light through the ball is of weight: less of it, and the pictures would differ.
+    RenderOptions none = caustics_options(16, 1024, Integrator::kPath);
+    none.max_depth = 1;
+    CHECK(chi_square(tiles_of_film(drawn(solid, scene, none).film, 4), tiles_of_film(lit.film, 4)) > 100);
+}
+
+TEST_CASE("lamps shine at each thing that focuses, and what several balls catch is counted once") {
+    // Far apart: two balls; near each other, or one within the other: one.
+    const Bounds left{Vec3(-60, -5, -5), Vec3(-50, 5, 5)}, right{Vec3(50, -5, -5), Vec3(60, 5, 5)}, inside{Vec3(52, -2, -2), Vec3(55, 2, 2)};
+    CHECK(aims_around({left, right, inside}).size() == 2);
+    CHECK(aims_around({}).empty());
+    std::vector<Bounds> many;
+    for (int i = 0; i < 300; ++i) many.push_back({Vec3(i * 40, 0, 0), Vec3(i * 40 + 1, 1, 1)});
+    const std::vector<Aim> aims = aims_around(many);
+    CHECK(aims.size() <= kMostAims);
+    for (const Bounds& thing : many)
+        CHECK(std::any_of(aims.begin(), aims.end(), [&](const Aim& a) { return glm::length(thing.lo - a.centre) <= a.radius && glm::length(thing.hi - a.centre) <= a.radius; }));
+    // Of two overlapping balls and one: the flux through a disc that both hold is the same.
+    PointLight p;
+    p.p = Vec3(0, 0, 50);
+    p.power = 4 * kPi;
+    SunLight sun;
+    sun.direction = Vec3(0, 0, -1);
+    sun.irradiance = 1;
+    for (const LightSource& lamp : {resolve_light(p, Vec3(0)), resolve_light(sun)}) {
+        const auto through_disc = [&](std::vector<Aim> balls) {
+            const Emission emission({lamp}, std::move(balls), Bounds{Vec3(-60), Vec3(60)});
+            double flux = 0;
+            constexpr std::uint32_t kRays = 1U << 20;
+            for (std::uint32_t i = 0; i < kRays; ++i) {
+                const Sampler s(3, 1, 2, i);
+                const Emitted e = emission.emit(s.pair(Draw::kPixel).x, s.pair(Draw::kLight), s.pair(Draw::kSky));
+                const Vec3 at = e.origin - e.direction * (e.origin.z / e.direction.z);
+                if (at.x * at.x + at.y * at.y < 9) flux += e.power.x / kRays;
+            }
+            return flux;
+        };
+        const double one = through_disc({{Vec3(0), 10}});
+        CHECK(one > 0);
+        CHECK(through_disc({{Vec3(0), 10}, {Vec3(4, 0, 0), 8}, {Vec3(40, 0, 0), 6}}) == Approx(one).epsilon(1e-2));
+    }
 }
 
 TEST_CASE("the search radius shrinks as the sixth root of the passes") {
