@@ -38,7 +38,7 @@ std::string grid(const Decades& across, const Decades& up, double w, double h) {
     return svg;
 }
 
-std::string panel(const LightPanel& p) {
+std::string panel(const LightPanel& p, const std::string& axes) {
     const double w = kWidth - kLeft - kRight, h = kHeight - kTop - kBottom;
     Decades across, up;
     for (const LightLine& line : p.lines)
@@ -55,18 +55,18 @@ std::string panel(const LightPanel& p) {
         svg += fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.5'/>{}\n", path, ink, dots);
         svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='end'>{}</text>\n", kLeft + w, kTop + 10 + 11 * static_cast<double>(i), ink, p.lines[i].name);
     }
-    return svg + fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>CPU seconds; up: RMSE</text>\n", kLeft + w / 2, kHeight - 4);
+    return svg + fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{}</text>\n", kLeft + w / 2, kHeight - 4, axes);
 }
 
 }  // namespace
 
-std::string light_plot(const std::vector<LightPanel>& panels) {
+std::string light_plot(const std::vector<LightPanel>& panels, const std::string& axes) {
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
     std::string svg = fmt::format("<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' font-family='sans-serif' font-size='9'>\n"
                                   "<rect width='100%' height='100%' fill='white'/>\n",
                                   kColumns * kWidth, rows * kHeight);
     for (std::size_t i = 0; i < panels.size(); ++i)
-        svg += fmt::format("<g transform='translate({} {})'>\n{}</g>\n", static_cast<double>(i % kColumns) * kWidth, static_cast<double>(i / kColumns) * kHeight, panel(panels[i]));
+        svg += fmt::format("<g transform='translate({} {})'>\n{}</g>\n", static_cast<double>(i % kColumns) * kWidth, static_cast<double>(i / kColumns) * kHeight, panel(panels[i], axes));
     return svg + "</svg>\n";
 }
 

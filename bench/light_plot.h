@@ -22,7 +22,7 @@ struct LightPanel {
     std::vector<LightLine> lines;
 };
 
-// An SVG.
-std::string light_plot(const std::vector<LightPanel>& panels);
+// An SVG; `axes` is what the axes are.
+std::string light_plot(const std::vector<LightPanel>& panels, const std::string& axes = "CPU seconds; up: RMSE");
 
 }  // namespace whittle::bench

@@ -3,6 +3,8 @@
 //     whittle-bench stability [--rays 2000] [--csv FILE] [--cases DIR]
 //     whittle-bench rays [--scenes S1,balls1000] [--files part.scad] [--twins] [--queries first,any,spans] [--rounds 7] [--seconds 0.25] [--csv FILE]
 //     whittle-bench scaling [--families balls100,balls10000] [--threads S1,S3] [--rounds 7] [--csv FILE]
+//     whittle-bench accuracy [--tolerances 0.1,0.01] [--lines 1000,100000] [--csv FILE] [--svg FILE]
+//     whittle-bench edits [--primitives 10000] [--rounds 7] [--csv FILE]
 //     whittle-bench mesh [--models part.scad] [--peers FOLDER] [--limit 60] [--rounds 5] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
@@ -14,6 +16,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bench/accuracy.h"
+#include "bench/edits.h"
 #include "bench/evaluation.h"
 #include "bench/light.h"
 #include "bench/mesh_bench.h"
@@ -42,6 +46,19 @@ int main(int argc, char** argv) {
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");
     rays->add_option("--json", choice.json, "and here, as JSON");
+    AccuracyOptions accuracy;
+    CLI::App* accurate = app.add_subcommand("accuracy", "run time against error of visible points and of volumes");
+    accurate->add_option("--tolerances", accuracy.tolerances, "chord errors of meshes")->delimiter(',')->check(CLI::PositiveNumber);
+    accurate->add_option("--finest-cut", accuracy.finest_cut, "the finest of them where booleans are needed")->check(CLI::PositiveNumber);
+    accurate->add_option("--lines", accuracy.lines, "of a quadrature")->delimiter(',')->check(CLI::Range(1, 100'000'000));
+    accurate->add_option("--rounds", accuracy.race.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
+    accurate->add_option("--csv", accuracy.csv, "also write the rows here");
+    accurate->add_option("--svg", accuracy.svg, "draw time against error here");
+    EditOptions edits;
+    CLI::App* edited = app.add_subcommand("edits", "what a change of the text costs to take in");
+    edited->add_option("--primitives", edits.primitives, "of the scene")->check(CLI::Range(1, 10'000'000));
+    edited->add_option("--rounds", edits.rounds, "runs of each")->check(CLI::Range(1, 1000));
+    edited->add_option("--csv", edits.csv, "also write the rows here");
     MeshBenchOptions meshes;
     CLI::App* mesh = app.add_subcommand("mesh", "meshes of the same models by whittle, openscad, OpenSCAD with Manifold, and manifold-3d");
     mesh->add_option("--models", meshes.models, "scene files; without it those of bench/meshes")->delimiter(',')->check(CLI::ExistingFile);
@@ -93,6 +110,8 @@ int main(int argc, char** argv) {
     pictures->add_option("--svg", light.svg, "draw time against error here");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
+    if (accurate->parsed()) return measure_accuracy(accuracy);
+    if (edited->parsed()) return time_edits(edits);
     if (mesh->parsed()) return time_meshes(meshes);
     if (growth->parsed()) return measure_scaling(scaling);
     if (program->parsed()) return time_program(whole);

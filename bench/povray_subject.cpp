@@ -52,6 +52,29 @@ std::optional<Subject> subject_of(const std::string& name, const std::string& sc
 
 }  // namespace
 
+std::vector<double> povray_distances(const BenchScene& scene, const std::vector<Ray>& rays, const std::string& folder) {
+    const auto exported = pov_scene(scene.solid, {}, camera_lens(scene), 4.0 / 3, {});
+    if (!exported) return {};
+    // The last line uses the whole; trace() wants its name.
+    std::string text = exported->text;
+    const auto last = text.rfind("\nobject{");
+    if (last == std::string::npos) return {};
+    text.insert(last + 1, "#declare Whole=");
+    const std::string questions = folder + "/rays.txt", answers = folder + "/answers.txt", file = folder + "/trace.pov";
+    text += fmt::format("#declare N=<0,0,0>;\n#fopen Rays \"{}\" read\n#fopen Answers \"{}\" write\n#while(defined(Rays))#read(Rays,A,B,C,D,E,F)#declare P=trace(Whole,<A,B,C>,<D,E,F>,N);"
+                        "#if(vlength(N)=0)#write(Answers,\"-1\\n\")#else #write(Answers,str(vlength(P-<A,B,C>),0,17),\"\\n\")#end#end\n#fclose Answers\n",
+                        questions, answers);
+    std::string list;
+    for (const Ray& r : rays)
+        list += fmt::format("{}{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", list.empty() ? "" : ",\n", r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y, r.direction.z);
+    if (!write_file_atomically(questions, list) || !write_file_atomically(file, text)) return {};
+    if (!run_child({"povray", "-D", "-GA", "-F", "+W1", "+H1", "+L" + folder, "+I" + file}).good) return {};
+    std::ifstream in(answers);
+    std::vector<double> distances;
+    for (double d = 0; in >> d;) distances.push_back(d);
+    return distances.size() == rays.size() ? distances : std::vector<double>{};
+}
+
 std::vector<Subject> povray_subjects(const BenchScene& scene, const std::string& folder) {
     constexpr double kMostPrimitives = 200'000;
     if (scene.primitives > kMostPrimitives) return {};

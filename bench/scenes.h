@@ -37,6 +37,8 @@ struct BenchScene {
     bool meshable = false;   // by the modeler, in reasonable time
 };
 
+// One ball of radius 1.
+BenchScene ball_scene();
 // Does make_scene() know the name?
 bool is_scene(const std::string& name);
 // Nothing for a name that stands for no scene.

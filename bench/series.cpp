@@ -45,6 +45,17 @@ std::shared_ptr<const FacetList> wavy_ball(int rings) {
 
 }  // namespace
 
+BenchScene ball_scene() {
+    BenchScene scene;
+    scene.name = "ball", scene.what = "a ball";
+    SolidBuilder b;
+    const NodeId root = b.shape(shape::Ellipsoid{Vec3(1)});
+    scene.solid = b.finish(here(root));
+    scene.box = {Vec3(-1), Vec3(1)};
+    scene.meshable = true;
+    return scene;
+}
+
 BenchScene menger_scene(int level) {
     SolidBuilder b;
     std::vector<Use> parts{here(box(b, 1))};

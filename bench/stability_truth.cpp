@@ -6,10 +6,6 @@
 
 namespace whittle::bench {
 
-namespace {
-
-Quad dot(const Quad3& a, const Quad3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // Newton's step doubles the 53 bits that double gives; the second is for the last bits.
 Quad square_root(Quad x) {
     if (x <= 0) return 0;
@@ -18,6 +14,10 @@ Quad square_root(Quad x) {
     for (int i = 0; i < 3; ++i) r = (r + x / r) / 2;
     return r;
 }
+
+namespace {
+
+Quad dot(const Quad3& a, const Quad3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // By Cramer's rule.
 Quad3 solved(const std::array<Quad3, 3>& m, const Quad3& v) {

@@ -24,6 +24,7 @@ struct QuadPlacement {
     Quad3 offset;
 };
 
+Quad square_root(Quad x);  // 0 for x <= 0
 Quad3 quad(const Vec3& v);
 Vec3 rounded(const Quad3& v);
 Quad3 apply_to_direction(const QuadPlacement& m, const Quad3& d);

@@ -49,6 +49,9 @@ std::vector<Subject> embree_subjects(const BenchScene& scene, const PeerMesh& me
 // it cannot read in reasonable time. `folder` is for its files.
 std::vector<Subject> povray_subjects(const BenchScene& scene, const std::string& folder);
 
+// The distances to what POV-Ray's trace() meets from each ray's origin, -1 for nothing; empty where there is no `povray`.
+std::vector<double> povray_distances(const BenchScene& scene, const std::vector<Ray>& rays, const std::string& folder);
+
 // t of every triangle that Embree in robust mode reports along each ray, ascending, asked by going on just behind the last one. Empty where there is no Embree.
 std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std::vector<Ray>& rays);
 
