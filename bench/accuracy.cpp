@@ -70,7 +70,7 @@ double true_t(const std::string& scene, const Ray& ray) {
 }
 
 struct PointErrors {
-    double median = 0, worst = 0, disagree = 0;  // of the rays that both sides meet; share of those that one meets alone
+    double rms = 0, worst = 0, disagree = 0;  // of the rays that both sides meet; share of those that one meets alone
 };
 
 PointErrors errors_of(const std::vector<double>& truth, const std::vector<double>& found) {
@@ -80,9 +80,9 @@ PointErrors errors_of(const std::vector<double>& truth, const std::vector<double
         if ((truth[i] < 0) != (found[i] < 0)) ++alone;
         else if (truth[i] >= 0) errors.push_back(std::abs(truth[i] - found[i]));
     }
-    std::sort(errors.begin(), errors.end());
     PointErrors e;
-    if (!errors.empty()) e = {errors[errors.size() / 2], errors.back(), 0};
+    for (const double error : errors) e.rms += error * error, e.worst = std::max(e.worst, error);
+    if (!errors.empty()) e.rms = std::sqrt(e.rms / static_cast<double>(errors.size()));
     e.disagree = static_cast<double>(alone) / static_cast<double>(truth.size());
     return e;
 }
@@ -98,14 +98,14 @@ std::vector<double> answers_of(const Subject& subject, const std::vector<Ray>& r
 }
 
 struct Tables {
-    std::string csv = "what,scene,subject,seconds,error,worst,disagree\n";
+    std::string csv = "what,scene,subject,seconds,rms_error,worst,disagree\n";
     std::vector<LightPanel> panels;
 };
 
 void row(Tables& tables, const std::string& what, const std::string& scene, const std::string& subject, double seconds, const PointErrors& e) {
-    fmt::print("{:7} {:6} {:34} {:11.3e} s  error {:8.1e}  worst {:8.1e}  disagree {:.5f}\n", what, scene, subject, seconds, e.median, e.worst, e.disagree);
+    fmt::print("{:7} {:6} {:34} {:11.3e} s  rms error {:8.1e}  worst {:8.1e}  disagree {:.5f}\n", what, scene, subject, seconds, e.rms, e.worst, e.disagree);
     std::fflush(stdout);
-    tables.csv += fmt::format("{},{},{},{},{},{},{}\n", what, scene, subject, seconds, e.median, e.worst, e.disagree);
+    tables.csv += fmt::format("{},{},{},{},{},{},{}\n", what, scene, subject, seconds, e.rms, e.worst, e.disagree);
 }
 
 // The line of the plot with that name.
@@ -141,7 +141,7 @@ Result<void> points(const BenchScene& scene, const AccuracyOptions& options, con
     for (std::size_t i = 0; i < laps.size(); ++i) {
         row(tables, "point", scene.name, laps[i].name, 1e-6 / laps[i].median, errors[i]);
         const std::string name = i < ours ? laps[i].name : laps[i].name.substr(0, laps[i].name.find(" ("));
-        line_of(panel, name).points.push_back({0, 1e-6 / laps[i].median, errors[i].median});
+        line_of(panel, name).points.push_back({0, 1e-6 / laps[i].median, errors[i].rms});
     }
     tables.panels.push_back(std::move(panel));
     return {};

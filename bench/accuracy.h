@@ -1,6 +1,6 @@
 // accuracy.h — whittle-bench accuracy: run time against error, for solids whose answers are known.
 //
-// Points: time of a camera ray against the error of the visible point, for a ball and for S1, whose crossings binary128 gives. Volumes: time of a volume
+// Points: time of a camera ray against the root mean square error of the visible point, for a ball and for S1, whose crossings binary128 gives. Volumes: time of a volume
 // against its error, by the quadrature of chords and by meshes. Pictures are `whittle-bench light`.
 #pragma once
 
