@@ -25,11 +25,11 @@ double process_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// A plate less `pins` turned pins, the first of radius `first`; seen from `distance`.
+// A plate less `pins` turned pins in rows of 100, the first of radius `first`; seen from `distance`.
 std::string text_of(int pins, double first, double distance) {
-    return fmt::format("$vpd = {};\nfirst = {};\ndifference() {{\n    cube([400, 400, 5]);\n    for (i = [0 : {}]) translate([4 * (i % 100) + 2, 4 * floor(i / 100) + 2, 2]) rotate([i % 7, i % 5, 0])\n"
-                       "        cylinder(h = 20, r = i == 0 ? first : 1, center = true);\n}}\n",
-                       distance, first, pins - 1);
+    return fmt::format("$vpd = {};\nfirst = {};\ndifference() {{\n    cube([400, {}, 5]);\n    for (j = [0 : {}], i = [0 : 99]) translate([4 * i + 2, 4 * j + 2, 2]) rotate([i % 7, j % 5, 0])\n"
+                       "        cylinder(h = 20, r = i + j == 0 ? first : 1, center = true);\n}}\n",
+                       distance, first, pins / 25, pins / 100 - 1);
 }
 
 struct State {
@@ -55,6 +55,7 @@ Result<Steps> take_in(const std::string& text, State& state) {
     };
     Result<Evaluated> evaluated = evaluate(input, files);
     if (!evaluated) return tl::unexpected<Error>(evaluated.error());
+    if (evaluated->stopped() || !evaluated->diagnostics.all().empty()) return tl::unexpected<Error>(Error{Fault::kScene, "the scene is not read as meant"});
     steps[0] = lap();
     Canonical canonical = canonicalise(evaluated->scene, {}, &files, evaluated->diagnostics);
     steps[1] = lap();

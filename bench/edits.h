@@ -6,7 +6,7 @@
 namespace whittle::bench {
 
 struct EditOptions {
-    int primitives = 10'000;
+    int primitives = 10'000;  // in hundreds
     int rounds = 7;
     std::string csv;
 };

@@ -31,7 +31,7 @@ std::string grid(const Decades& across, const Decades& up, double w, double h) {
         const double x = kLeft + w * across.share(std::pow(10.0, e));
         svg += fmt::format("<path d='M{:.1f} {:.1f}v{:.1f}' stroke='#ddd'/><text x='{:.1f}' y='{:.1f}' text-anchor='middle'>1e{}</text>\n", x, kTop, h, x, kTop + h + 12, e);
     }
-    for (int e = up.lo; e <= up.hi; ++e) {
+    for (int e = up.lo; e <= up.hi; e += up.hi - up.lo > 8 ? 3 : 1) {
         const double y = kTop + h * (1 - up.share(std::pow(10.0, e)));
         svg += fmt::format("<path d='M{:.1f} {:.1f}h{:.1f}' stroke='#ddd'/><text x='{:.1f}' y='{:.1f}' text-anchor='end'>1e{}</text>\n", kLeft, y, w, kLeft - 4, y + 3, e);
     }

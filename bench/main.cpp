@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     accurate->add_option("--svg", accuracy.svg, "draw time against error here");
     EditOptions edits;
     CLI::App* edited = app.add_subcommand("edits", "what a change of the text costs to take in");
-    edited->add_option("--primitives", edits.primitives, "of the scene")->check(CLI::Range(1, 10'000'000));
+    edited->add_option("--primitives", edits.primitives, "of the scene, in hundreds")->check(CLI::Range(100, 10'000'000));
     edited->add_option("--rounds", edits.rounds, "runs of each")->check(CLI::Range(1, 1000));
     edited->add_option("--csv", edits.csv, "also write the rows here");
     MeshBenchOptions meshes;
