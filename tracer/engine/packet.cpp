@@ -30,8 +30,8 @@ HWY_EXPORT(tile_hits);
 namespace {
 
 // Above this, rays that do not go together are met one by one: eight of them touch too many parts. Incoherent rays in packets against one by one:
-// 5 leaves 5.1 times as fast, 201 1.3, 512 1.6, 1201 0.97; any hit 4.8, 0.8, 1.1, 0.7, as a single ray may stop at any part.
-constexpr std::size_t kMostLeavesApart = 1000, kMostLeavesApartForAny = 100;
+// 5 leaves 5.1 times as fast, 201 0.68, 512 1.15, 1201 1.14; any hit 4.8, 0.99, 0.79, 1.07.
+constexpr std::size_t kMostLeavesApart = 100;
 
 // False: some coordinate is no number, or not finite.
 bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileExtremes& extremes) {
@@ -182,7 +182,7 @@ void any_of_tile(const Program& program, const Ray* rays, const double* t_max, i
         const int few = std::min(kFew, count - i);
         load_tile(rays + i, static_cast<std::size_t>(few), m, extremes);
         const TileBounds near = tile_bounds(extremes);
-        if (near.coherent || program.leaves.size() <= kMostLeavesApartForAny) {
+        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
             any_of_packets(program, near, true, rays + i, t_max + i, few, scratch, blocked + i);
         } else {
             any_alone(program, rays + i, t_max + i, few, scratch, blocked + i);
