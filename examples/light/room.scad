@@ -23,4 +23,4 @@ material("copper", roughness = 0.45) translate([32, -8, 20]) sphere(20);
 area_light(p = [-22, -20, h - 0.1], u = [44, 0, 0], v = [0, 36, 0], power = 3.4e5, color = [1, 0.93, 0.8]);
 environment(color = "black");
 camera(eye = [0, -250, 61], target = [0, 0, 61], fov = 35.5);
-// integrator: path
+// Render with --integrator path.
