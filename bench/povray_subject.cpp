@@ -23,7 +23,7 @@ ChildRun draw(const std::string& scene, int width, const std::string& picture) {
     return run_child({"povray", "-D", "-GA", "+WT1", "+Q1", "-A", "+FP8", out, fmt::format("+W{}", width), fmt::format("+H{}", width * 3 / 4), "+I" + scene});
 }
 
-// Of pixels that are not grey: the background is, matter is not.
+// Of pixels that are not grey, or black: the background is grey, matter yellow, and faces of cutters within cutters come out black.
 double share_of_hits(const std::string& scene, const std::string& folder) {
     const std::string picture = folder + "/hits.ppm";
     if (!draw(scene, 160, picture).good) return 0;
@@ -32,7 +32,7 @@ double share_of_hits(const std::string& scene, const std::string& folder) {
     constexpr std::size_t kPixels = 160 * 120;
     if (bytes.size() < 3 * kPixels) return 0;
     std::size_t hits = 0;
-    for (std::size_t i = bytes.size() - 3 * kPixels; i < bytes.size(); i += 3) hits += bytes[i] != bytes[i + 1] || bytes[i] != bytes[i + 2];
+    for (std::size_t i = bytes.size() - 3 * kPixels; i < bytes.size(); i += 3) hits += bytes[i] != bytes[i + 1] || bytes[i] != bytes[i + 2] || bytes[i] == 0;
     return static_cast<double>(hits) / kPixels;
 }
 
