@@ -84,8 +84,6 @@ TEST_CASE("a solid written in other words is the same up to a thousand sizes fro
     const double distance = GENERATE(0.0, 30.0, 3000.0);  // the shapes are about 3 large
     for (const Pair& p : kMotions)
         for (const char* shape : kShapes) {
-            // Known gap: a cone's coefficients lose too much at a thousand sizes for two turns of 30 degrees to be known as one of 60 (docs/stability.md).
-            if (distance > 100 && std::string(shape).find("r2 =") != std::string::npos) continue;
             const std::string what = fmt::format("translate([{}, {}, {}]) {}", distance, distance / 3, -distance / 7, shape);
             INFO(p.name << ": " << what);
             CHECK(rays_left(with(p.first, what), with(p.second, what), 3, random) == 0);

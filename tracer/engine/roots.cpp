@@ -29,15 +29,15 @@ struct Quadratic {
     double a = 0, ea = 0, b = 0, eb = 0, c = 0, ec = 0;
 };
 
-// Adds weight * form^2 (|weight - exact| <= weight_error).
+// Adds weight * form^2 (|weight - exact| <= weight_error). What a sum rounds is a unit of the sum so far, not of all that goes into it.
 void add_square(Quadratic& q, const Form& f, double weight, double weight_error) {
-    const double ss = f.s * f.s, vs = f.v * f.s, vv = f.v * f.v, w = magnitude(weight) + weight_error;
+    const double ss = f.s * f.s, vs = f.v * f.s, vv = f.v * f.v, w = magnitude(weight) + weight_error, rounding = 2 * u * w + weight_error;
     q.a += weight * ss;
     q.b += weight * vs;
     q.c += weight * vv;
-    q.ea += w * (2 * magnitude(f.s) * f.es + f.es * f.es) + (8 * u * w + weight_error) * ss;
-    q.eb += w * (magnitude(f.v) * f.es + magnitude(f.s) * f.ev + f.ev * f.es) + (8 * u * w + weight_error) * magnitude(vs);
-    q.ec += w * (2 * magnitude(f.v) * f.ev + f.ev * f.ev) + (8 * u * w + weight_error) * vv;
+    q.ea += w * (2 * magnitude(f.s) * f.es + f.es * f.es) + rounding * ss + u * magnitude(q.a);
+    q.eb += w * (magnitude(f.v) * f.es + magnitude(f.s) * f.ev + f.ev * f.es) + rounding * magnitude(vs) + u * magnitude(q.b);
+    q.ec += w * (2 * magnitude(f.v) * f.ev + f.ev * f.ev) + rounding * vv + u * magnitude(q.c);
 }
 
 // Moves the ray's origin to t0 (exactly this double) and measures from the centre.
@@ -58,9 +58,10 @@ double closest(const FrameRay& ray, const std::array<double, 3>& centre, const s
     return std::isfinite(t) ? t : 0;
 }
 
+// c may be off by `error` and the rounding of one product.
 void add_constant(Quadratic& q, double c, double error) {
     q.c += c;
-    q.ec += error + 4 * u * magnitude(c);
+    q.ec += error + u * magnitude(c) + u * magnitude(q.c);
 }
 
 Quadratic round_quadric(const Support& s, const FrameRay& ray, double& t0) {
@@ -131,12 +132,13 @@ Quadratic tube(const Support& s, const FrameRay& ray, double& t0) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
         const double a = magnitude(axis[j]), b = magnitude(axis[k]);
         const double v = axis[j] * x[k].v - axis[k] * x[j].v, slope = axis[j] * x[k].s - axis[k] * x[j].s;
-        const Form f{v, a * x[k].ev + b * x[j].ev + 4 * u * (a * (magnitude(x[k].v) + x[k].ev) + b * (magnitude(x[j].v) + x[j].ev)), slope,
-                     a * x[k].es + b * x[j].es + 4 * u * (a * (magnitude(x[k].s) + x[k].es) + b * (magnitude(x[j].s) + x[j].es))};
+        // The axis, its products, their difference: a unit each.
+        const Form f{v, a * x[k].ev + b * x[j].ev + 2 * u * (a * (magnitude(x[k].v) + x[k].ev) + b * (magnitude(x[j].v) + x[j].ev)) + u * magnitude(v), slope,
+                     a * x[k].es + b * x[j].es + 2 * u * (a * (magnitude(x[k].s) + x[k].es) + b * (magnitude(x[j].s) + x[j].es)) + u * magnitude(slope)};
         add_square(q, f, 1, 0);
     }
     const double whole = p[6] * p[6] * length2;
-    add_constant(q, -whole, 12 * u * whole);
+    add_constant(q, -whole, 8 * u * whole);
     return q;
 }
 
@@ -148,25 +150,30 @@ Quadratic general(const Support& s, const FrameRay& ray, double& t0) {
     Quadratic q;
     for (std::size_t i = 0; i < 10; ++i) {
         const Form &f = x[pairs[i][0]], &g = x[pairs[i][1]];
+        if (c[i] == 0) continue;
         const double w = magnitude(c[i]);
-        const double fv = magnitude(f.v) + f.ev, gv = magnitude(g.v) + g.ev, fs = magnitude(f.s) + f.es, gs = magnitude(g.s) + g.es;
+        const double fv = magnitude(f.v), gv = magnitude(g.v), fs = magnitude(f.s), gs = magnitude(g.s);
         q.a += c[i] * (f.s * g.s);
         q.b += 0.5 * c[i] * (f.v * g.s + f.s * g.v);
         q.c += c[i] * (f.v * g.v);
-        q.ea += w * (f.es * gs + fs * g.es + 14 * u * fs * gs);
-        q.eb += 0.5 * w * (f.ev * gs + fv * g.es + f.es * gv + fs * g.ev + 14 * u * (fv * gs + fs * gv));
-        q.ec += w * (f.ev * gv + fv * g.ev + 14 * u * fv * gv);
+        q.ea += w * (f.es * gs + fs * g.es + f.es * g.es + 2 * u * fs * gs) + u * magnitude(q.a);
+        q.eb += 0.5 * w * (f.ev * gs + fv * g.es + f.ev * g.es + f.es * gv + fs * g.ev + f.es * g.ev + 3 * u * (fv * gs + fs * gv)) + u * magnitude(q.b);
+        q.ec += w * (f.ev * gv + fv * g.ev + f.ev * g.ev + 2 * u * fv * gv) + u * magnitude(q.c);
     }
     return q;
 }
 
 Quadratic quadratic_near(const Support& s, const FrameRay& ray, double& t0) {
-    switch (s.kind) {
-        case SupportKind::kCone: return cone(s, ray, t0);
-        case SupportKind::kTube: return tube(s, ray, t0);
-        case SupportKind::kQuadric: return general(s, ray, t0);
-        default: return round_quadric(s, ray, t0);
-    }
+    Quadratic q = s.kind == SupportKind::kCone      ? cone(s, ray, t0)
+                  : s.kind == SupportKind::kTube    ? tube(s, ray, t0)
+                  : s.kind == SupportKind::kQuadric ? general(s, ray, t0)
+                                                    : round_quadric(s, ray, t0);
+    // Bounds are sums of some forty rounded terms that are not negative.
+    constexpr double kOwnRounding = 1 + 64 * u;
+    q.ea *= kOwnRounding;
+    q.eb *= kOwnRounding;
+    q.ec *= kOwnRounding;
+    return q;
 }
 
 // Two crossings at t0 + s, s the roots of the quadratic; or none; false where a sign is not certain.
@@ -178,7 +185,7 @@ bool solve_quadratic(const Quadratic& q, double t0, Crossings& out) {
         return true;
     }
     const double bb = q.b * q.b, ac = q.a * q.c, disc = bb - ac;
-    const double edisc = (2 * magnitude(q.b) * q.eb + q.eb * q.eb + magnitude(q.a) * q.ec + magnitude(q.c) * q.ea + q.ea * q.ec + 3 * u * (bb + magnitude(ac))) *
+    const double edisc = (2 * magnitude(q.b) * q.eb + q.eb * q.eb + magnitude(q.a) * q.ec + magnitude(q.c) * q.ea + q.ea * q.ec + u * (bb + magnitude(ac) + magnitude(disc))) *
                          (1 + 16 * u);
     out.first_sign = q.a > 0 ? 1 : -1;
     if (disc < -edisc) {
