@@ -54,7 +54,7 @@ void count_roundings(Frame& f) {
         }
     }
     f.origin_units = f.placement.offset(0) == 0 && f.placement.offset(1) == 0 && f.placement.offset(2) == 0 ? 0 : 1.0625;
-    f.direction_units = 0;
+    f.direction_units = f.sum_units = 0;
 }
 
 }  // namespace

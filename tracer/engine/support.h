@@ -25,9 +25,9 @@ struct Frame {
     MotionId motion = 0;  // the placement is then the one inside the motion; the whole one depends on the time
     bool identity = true;
     std::int8_t determinant_sign = 1;
-    // What entering the frame rounds: of an origin, and of a direction, in units of roundoff of the sum of the products' magnitudes. Inverse (none for an
-    // exact power of two), difference (none for a direction), product, two sums, to first order; the rest is room.
-    double origin_units = 5.0625, direction_units = 4.0625;
+    // What entering the frame rounds, in units of roundoff: of the products' magnitudes, for an origin (inverse, difference, product) and a direction (no
+    // difference); and of the magnitude of each sum. The rest is room.
+    double origin_units = 3.0625, direction_units = 2.0625, sum_units = 1.0625;
 };
 
 // Requires: the linear part is regular and finite.
