@@ -155,6 +155,8 @@ const char* name_of(DisagreementKind kind) {
     return "";
 }
 
+double allowed_rounding(double grid_mm, double reach) { return (grid_mm > 0 ? kGridSteps * grid_mm : kMeshRounding * reach) + kOwnRounding * reach; }
+
 Result<Agreement> check_agreement(const Solid& solid, const Program& program, const Mesh& mesh, const AgreementOptions& options) {
     if (!is_usable(mesh)) return fail(Fault::kScene, "the mesh has indices or coordinates that mean nothing");
     Result<LeafDistances> leaves = LeafDistances::of(solid);
@@ -171,7 +173,7 @@ Result<Agreement> check_agreement(const Solid& solid, const Program& program, co
     const double reach = 2 * sphere.radius + glm::length(sphere.center);
     a.seed = options.seed;
     a.tolerance = leaves->any_curved() ? options.tolerance : 0;
-    a.rounding = (options.rounding > 0 ? kGridSteps * options.rounding : kMeshRounding * reach) + kOwnRounding * reach;
+    a.rounding = allowed_rounding(options.rounding, reach);
     set_spans_facts(a, *measured);
     set_mesh_facts(a, mesh, reach);
 

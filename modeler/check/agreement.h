@@ -71,6 +71,10 @@ struct Agreement {
     EngineCounters counters;
 };
 
+// How far a surface may be off by rounding alone: `grid_mm` is the step of the grid that corners were put on (0: unknown), `reach` how far from the origin
+// the model extends.
+double allowed_rounding(double grid_mm, double reach);
+
 // `mesh` is closed and oriented, in the root frame. `tolerance` and `rounding` are those of its MeshResult. Same bytes at any thread count.
 // Fails with kScene where the solid is unbounded or the mesh is not usable (indices out of range), with kInterrupted where `cancel` became true.
 Result<Agreement> check_agreement(const Solid& solid, const Program& program, const Mesh& mesh, const AgreementOptions& options);

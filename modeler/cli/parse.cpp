@@ -284,8 +284,19 @@ void Declaration::declare_mesh() {
         mesh.options.angle_deg = n;
         return n && *n > 0 && *n <= 120;
     });
-    for (const char* name : {"--simplify", "--remesh"}) not_yet(name, true, kGroup);
+    value("--booleans", "exact or cgal", "Who combines meshes: our arrangement, or CGAL's corefinement as a second opinion", kGroup, [&mesh](const std::string& t) {
+        mesh.booleans = t == "cgal" ? BooleanMaker::kCgal : BooleanMaker::kArrangement;
+        return t == "cgal" || t == "exact";
+    });
     if (verb_ && verb_->verb == Verb::kCheck) return;
+    value("--simplify", "MM", "Fewer triangles, no point of the surface moved by more than this", kGroup, [&mesh](const std::string& t) {
+        mesh.simplify_mm = number_in(t);
+        return mesh.simplify_mm && *mesh.simplify_mm > 0;
+    });
+    value("--remesh", "MM", "Even triangles with sides of about this length; sharp edges stay", kGroup, [&mesh](const std::string& t) {
+        mesh.remesh_mm = number_in(t);
+        return mesh.remesh_mm && *mesh.remesh_mm > 0;
+    });
     app_.add_flag_callback("--binary", [&mesh] { mesh.encoding = MeshEncoding::kBinary; }, "Binary STL (the default of `mesh`)")->group(kGroup);
     app_.add_flag_callback("--ascii", [&mesh] { mesh.encoding = MeshEncoding::kAscii; }, "STL in letters (the default of -o in OpenSCAD's form)")->group(kGroup);
     flag("--report", "Print what validation found", mesh.report, kGroup);
@@ -293,6 +304,7 @@ void Declaration::declare_mesh() {
 
 void Declaration::declare_check() {
     number("--lines", "N", "Lines to shoot (as many as take about a second)", request_.check.lines, 1, kMostCount, "Check");
+    text("--heat", "FILE", "Writes the mesh coloured by how far it strays: blue none of what is allowed, red all (ply, off, 3mf, glb ...)", request_.check.heat_file, "Check");
     flag("--suite", "Check all the scenes named, and those in folders named: a row each", request_.check.suite, "Check");
 }
 

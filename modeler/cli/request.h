@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "csg/eval/canonicalise.h"
-#include "modeler/mesh/mesh.h"
+#include "modeler/mesh/reference_mesh.h"
 #include "tracer/image/image_file.h"
 #include "tracer/light/render.h"
 
@@ -55,12 +55,16 @@ struct RenderRequest {
 
 struct MeshRequest {
     MeshOptions options;  // --tolerance, --angle
+    BooleanMaker booleans = BooleanMaker::kArrangement;
     MeshEncoding encoding = MeshEncoding::kDefault;
     bool report = false;
+    std::optional<double> simplify_mm;  // Hausdorff distance at most
+    std::optional<double> remesh_mm;    // sides of about this length
 };
 
 struct CheckRequest {
     std::uint64_t lines = 0;  // 0: by a count of work
+    std::string heat_file;    // empty: none
     bool suite = false;       // many scenes, and folders of them
 };
 

@@ -7,6 +7,7 @@
 
 #include "modeler/check/agreement.h"
 #include "modeler/check/facts.h"
+#include "modeler/check/heat_map.h"
 #include "modeler/cli/answers.h"
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/progress.h"
@@ -86,6 +87,20 @@ std::vector<std::string> false_facts(const std::string& text, const Agreement& a
     return out;
 }
 
+Result<void> write_heat_map(Session& session, const Solid& solid, const MeshResult& mesh) {
+    const std::string& path = session.request.check.heat_file;
+    const auto format = mesh_format(path, false);
+    if (!format) return tl::unexpected<Error>(format.error());
+    if (*format == MeshFormat::kStlBinary || *format == MeshFormat::kStlAscii) return fail(Fault::kCommand, path + ": STL has no colours; ply, off and 3mf have");
+    const auto map = heat_map(solid, mesh);
+    if (!map) return tl::unexpected<Error>(map.error());
+    const auto file = write_mesh(map->result, *format);
+    if (!file) return tl::unexpected<Error>(file.error());
+    if (auto written = write_output(path, file->bytes); !written) return written;
+    session.console.line(fmt::format("{}: facets stray by {:.3g} mm at most, {:.3g} allowed, {} beyond", path, map->most_mm, map->allowed_mm, map->beyond));
+    return {};
+}
+
 Result<Checked> check_scene(Session& session) {
     auto scene = read_whole_solid(session);
     if (!scene) return tl::unexpected<Error>(scene.error());
@@ -94,6 +109,8 @@ Result<Checked> check_scene(Session& session) {
     if (!program) return tl::unexpected<Error>(program.error());
     const auto mesh = make_mesh(session, solid);
     if (!mesh) return tl::unexpected<Error>(mesh.error());
+    if (!session.request.check.heat_file.empty())
+        if (auto written = write_heat_map(session, solid, *mesh); !written) return tl::unexpected<Error>(written.error());
     AgreementOptions options;
     options.tolerance = mesh->tolerance_mm;
     options.rounding = mesh->grid_mm;

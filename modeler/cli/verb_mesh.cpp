@@ -9,6 +9,7 @@
 #include "modeler/cli/job_mesh.h"
 #include "modeler/cli/progress.h"
 #include "modeler/cli/verbs.h"
+#include "modeler/mesh/rework.h"
 
 namespace whittle {
 
@@ -152,11 +153,38 @@ Result<void> write_output_of(Session& session, Meshes& meshes, const Output& out
 
 }  // namespace
 
+namespace {
+
+// With the triangles that --simplify and --remesh ask for.
+Result<MeshResult> reworked(Session& session, MeshResult mesh, MeshControl& control) {
+    const MeshRequest& request = session.request.mesh;
+    const auto take = [&](const char* what, Result<Reworked> made) -> Result<void> {
+        if (!made) return tl::unexpected<Error>(made.error());
+        if (made->changed) {
+            session.console.line(fmt::format("{}: {} triangles become {}, no point farther than {:.3g} mm", what, mesh.mesh.triangles.size(),
+                                             made->result.mesh.triangles.size(), made->deviation));
+        } else {
+            session.console.warning(fmt::format("{}: no mesh that keeps the distance was found, the triangles stay as they are", what));
+        }
+        mesh = std::move(made->result);
+        return {};
+    };
+    if (mesh.mesh.triangles.empty()) return mesh;
+    if (request.simplify_mm)
+        if (auto done = take("--simplify", simplified(mesh, *request.simplify_mm, control)); !done) return tl::unexpected<Error>(done.error());
+    if (request.remesh_mm)
+        if (auto done = take("--remesh", remeshed(mesh, *request.remesh_mm, control)); !done) return tl::unexpected<Error>(done.error());
+    return mesh;
+}
+
+}  // namespace
+
 Result<MeshResult> make_mesh(Session& session, const Solid& solid) {
     Progress progress("Meshing", session.request.common.progress, session.console.on_terminal(), session.console.quiet());
     Control control(session, progress);
     Stopwatch watch;
-    auto mesh = mesh_solid(solid, session.request.mesh.options, control);
+    auto mesh = mesh_solid_by(session.request.mesh.booleans, solid, session.request.mesh.options, control);
+    if (mesh) mesh = reworked(session, std::move(*mesh), control);
     session.stats.add("seconds.mesh", watch.lap());
     if (!mesh) return mesh;
     for (const auto& warning : mesh->warnings) session.console.warning(warning);

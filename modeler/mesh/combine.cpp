@@ -8,8 +8,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "csg/base/module_file.h"
 #include "modeler/arrange/box_tree.h"
 #include "modeler/arrange/sets.h"
+#include "modeler/mesh/file_text.h"
 
 namespace whittle {
 namespace {
@@ -35,6 +37,35 @@ struct Term {
     std::uint32_t leaf = 0;
     std::vector<std::uint32_t> children;
 };
+
+Mesh in_doubles(const Operand& operand) {
+    Mesh out;
+    for (const GridPoint& p : operand.mesh->points) {
+        const GridPoint q = sum(p, operand.offset);
+        out.points.emplace_back(static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]));
+    }
+    out.triangles = operand.mesh->triangles;
+    for (const FacetTag tag : operand.mesh->tags) out.leaf.push_back(tag + operand.tag_base);
+    return with_own_points(out);
+}
+
+// Where two operands have a facet in one place CGAL chooses whose it is.
+Result<ArrangedMesh> combined_by_cgal(std::span<const Operand> operands, const std::vector<BooleanStep>& steps) {
+    const auto entry = module_entry("whittle_cgal.so", "whittle_cgal_booleans_1", "the part that combines meshes by CGAL");
+    if (!entry) return tl::unexpected(entry.error());
+    std::vector<Mesh> meshes;
+    for (const Operand& o : operands) meshes.push_back(in_doubles(o));
+    Mesh made;
+    std::string fault;
+    if (!reinterpret_cast<decltype(&whittle_cgal_booleans_1)>(*entry)(meshes, steps, made, fault))
+        return fail(Fault::kScene, "CGAL declines: " + fault + " (--booleans=exact does not)");
+    ArrangedMesh out;
+    out.points = std::move(made.points);
+    out.triangles = std::move(made.triangles);
+    out.tags = std::move(made.leaf);
+    out.on_grid = std::all_of(out.points.begin(), out.points.end(), [](const Vec3& p) { return p == glm::round(p); });
+    return out;
+}
 
 class Combiner {
 public:
@@ -173,20 +204,30 @@ private:
         return groups;
     }
 
+    // Operands that are left of an expression, and how they are combined.
+    struct Narrowed {
+        std::vector<std::uint32_t> operands;
+        std::vector<BooleanStep> steps;
+    };
+
     // The expression with all leaves outside the group empty. Gives the operands that are left; nothing where the whole is empty.
-    std::optional<Expression::Id> narrowed(std::uint32_t id, const std::vector<std::uint32_t>& group, Expression& out, std::vector<std::uint32_t>& operands) const {
+    std::optional<Expression::Id> narrowed(std::uint32_t id, const std::vector<std::uint32_t>& group, Expression& out, Narrowed& left) const {
         const Term& t = terms_[id];
         if (!t.op) {
             if (!std::binary_search(group.begin(), group.end(), t.leaf)) return std::nullopt;
-            operands.push_back(t.leaf);
+            left.steps.push_back({static_cast<std::uint32_t>(left.operands.size()), SetOp::kUnion});
+            left.operands.push_back(t.leaf);
             return out.operand();
         }
+        const std::size_t first_step = left.steps.size();
         std::vector<Expression::Id> children;
         for (std::size_t i = 0; i < t.children.size(); ++i) {
-            const auto child = narrowed(t.children[i], group, out, operands);
+            const auto child = narrowed(t.children[i], group, out, left);
             if (child) {
                 children.push_back(*child);
+                if (children.size() > 1) left.steps.push_back({BooleanStep::kOperation, *t.op});
             } else if (*t.op == SetOp::kIntersection || (*t.op == SetOp::kDifference && i == 0)) {
+                left.steps.resize(first_step);
                 return std::nullopt;
             }
         }
@@ -197,8 +238,9 @@ private:
     Result<Parts> arranged(const std::vector<std::uint32_t>& group, std::uint32_t top, ArrangeStats& stats) const {
         if (control_.cancelled()) return fail(Fault::kInterrupted, "interrupted");
         Expression expression;
-        std::vector<std::uint32_t> used;
-        const auto root = narrowed(top, group, expression, used);
+        Narrowed left;
+        const std::vector<std::uint32_t>& used = left.operands;
+        const auto root = narrowed(top, group, expression, left);
         if (!root) return Parts{};
         expression.finish(*root);
         if (used.size() == 1 && !plan_.node(leaves_[used[0]].plan).may_cross_itself) {
@@ -210,7 +252,8 @@ private:
             const Leaf& l = leaves_[i];
             operands.push_back({&mesh_of(l.plan), l.offset, l.tag_base, l.number, !solved_.contains(l.plan) && plan_.node(l.plan).may_cross_itself});
         }
-        auto mesh = arrange(operands, expression, {options_.decimate, [this] { return control_.cancelled(); }}, stats);
+        auto mesh = options_.booleans == BooleanMaker::kCgal ? combined_by_cgal(operands, left.steps)
+                                                             : arrange(operands, expression, {options_.decimate, [this] { return control_.cancelled(); }}, stats);
         if (!mesh) return tl::unexpected(mesh.error());
         if (mesh->triangles.empty()) return Parts{};
         return Parts{Part{0, std::move(*mesh), {}, 0}};

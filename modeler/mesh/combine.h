@@ -4,7 +4,9 @@
 #include <span>
 
 #include "modeler/arrange/arrange.h"
+#include "modeler/mesh/cgal/booleans_module.h"
 #include "modeler/mesh/plan.h"
+#include "modeler/mesh/reference_mesh.h"
 
 namespace whittle {
 
@@ -22,6 +24,7 @@ using Parts = std::vector<Part>;
 struct CombineOptions {
     int threads = 0;
     bool decimate = true;
+    BooleanMaker booleans = BooleanMaker::kArrangement;
 };
 
 // The result of one plan node. `uses[i]` is the author's number of the plan's leaf i: where two leaves have a facet in one place the lower one keeps

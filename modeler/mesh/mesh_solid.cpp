@@ -297,17 +297,18 @@ double chord_tolerance(const MeshOptions& options, double radius, double diagona
     return options.tolerance_mm ? *options.tolerance_mm : std::min(1e-3 * radius, 1e-3 * diagonal);
 }
 
-Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, MeshControl& control) {
-    return mesh_use(solid, solid.root(), options, control);
-}
+namespace {
 
-Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control) {
+Result<MeshResult> mesh_use_by(BooleanMaker maker, const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control) {
     MeshResult result;
     if (root.node == kEmptyNode) return result;
     if (solid.is_2d(root.node)) return fail(Fault::kScene, "Current top level object is not a 3D object.");
     const Bounds room = bounds_at_start(solid, root);
     if (room.empty()) return result;
     if (!finite(room)) return fail(Fault::kScene, "the solid is unbounded: no operation bounds a halfspace or quadric");
+    constexpr double kLargestMm = 1e100;  // squares of lengths stay finite
+    if (const double far = std::max(largest_coordinate(room), farthest_leaf(solid, root, Placement{})); far > kLargestMm)
+        return fail(Fault::kScene, fmt::format("the solid reaches {:g} mm far, beyond the {:g} that can be meshed", far, kLargestMm));
 
     auto start = Clock::now();
     Planner planner(solid, root, options, control, room, result);
@@ -318,13 +319,28 @@ Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptio
     result.stats.skipped_boxes = planner.plan().skipped();
     if (!*instance) return result;
 
-    const CombineOptions how{options.threads, options.decimate};
+    const CombineOptions how{options.threads, options.decimate, maker};
+    result.stats.loaded_cgal = maker == BooleanMaker::kCgal;
     const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, (*instance)->leaves, how, control, result.stats);
     if (!parts) return tl::unexpected(parts.error());
     start = Clock::now();
     settle(planner, **instance, *parts, control, result);
     result.stats.seconds_round = seconds_since(start);
     return result;
+}
+
+}  // namespace
+
+Result<MeshResult> mesh_use(const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control) {
+    return mesh_use_by(BooleanMaker::kArrangement, solid, root, options, control);
+}
+
+Result<MeshResult> mesh_solid(const Solid& solid, const MeshOptions& options, MeshControl& control) {
+    return mesh_use(solid, solid.root(), options, control);
+}
+
+Result<MeshResult> mesh_solid_by(BooleanMaker maker, const Solid& solid, const MeshOptions& options, MeshControl& control) {
+    return mesh_use_by(maker, solid, solid.root(), options, control);
 }
 
 }  // namespace whittle

@@ -24,11 +24,11 @@ _whittle() {
                 --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --binary
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --simplify --remesh --binary
                 --ascii --report -o" ;;
         check)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --lines --suite" ;;
+                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --lines --heat --suite" ;;
         measure)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable" ;;
@@ -43,7 +43,7 @@ _whittle() {
                 --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
                 --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
-                --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --binary --ascii --report -o" ;;
+                --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$current"))

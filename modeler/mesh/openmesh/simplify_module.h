@@ -1,0 +1,12 @@
+// simplify_module.h — OpenMesh's decimation. The number in a name changes with its parameters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "modeler/mesh/mesh.h"
+
+// Fewer triangles: edges collapse, those of least quadric error first, while points that have gone stay within about `distance_mm` of the triangles (what
+// is true of the result is measured by who asks). Corners of faces of several groups stay. `in` is closed and oriented, no edge has more than two faces.
+extern "C" bool whittle_openmesh_simplify_1(const whittle::Mesh& in, const std::vector<std::uint32_t>& groups, double distance_mm, whittle::Mesh& out,
+                                            std::string& fault);

@@ -1,0 +1,101 @@
+// simplify_openmesh.cpp — the one translation unit of OpenMesh's decimation.
+//
+// Sources: Garland, Heckbert, Surface simplification using quadric error metrics (1997); Klein, Liebich, Strasser, Mesh reduction with error control (1996).
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+
+#include <exception>
+
+#include "modeler/mesh/openmesh/simplify_module.h"
+
+namespace whittle {
+namespace {
+
+struct Traits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+using Surface = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+// No facet's normal turns by more in one collapse.
+constexpr double kLargestTurnDeg = 20;
+
+bool surface_of(const Mesh& in, Surface& s, const OpenMesh::FPropHandleT<std::uint32_t>& number) {
+    std::vector<Surface::VertexHandle> at;
+    for (const Vec3& p : in.points) at.push_back(s.add_vertex({p.x, p.y, p.z}));
+    for (std::uint32_t i = 0; i < in.triangles.size(); ++i) {
+        const Triangle& t = in.triangles[i];
+        const auto f = s.add_face(at[t[0]], at[t[1]], at[t[2]]);
+        if (!f.is_valid()) return false;
+        s.property(number, f) = i;
+    }
+    return true;
+}
+
+void lock_borders(Surface& s, const OpenMesh::FPropHandleT<std::uint32_t>& number, const std::vector<std::uint32_t>& groups) {
+    for (const auto v : s.vertices()) {
+        bool mixed = false;
+        std::uint32_t first = 0;
+        bool any = false;
+        for (const auto f : s.vf_range(v)) {
+            const std::uint32_t g = groups[s.property(number, f)];
+            if (!any) first = g, any = true;
+            mixed = mixed || g != first;
+        }
+        if (mixed) s.status(v).set_locked(true);
+    }
+}
+
+bool simplified(const Mesh& in, const std::vector<std::uint32_t>& groups, double distance_mm, Mesh& out) {
+    Surface s;
+    s.request_vertex_status();
+    s.request_edge_status();
+    s.request_halfedge_status();
+    s.request_face_status();
+    s.request_face_normals();
+    OpenMesh::FPropHandleT<std::uint32_t> number;
+    s.add_property(number);
+    if (!surface_of(in, s, number)) return false;
+    s.update_face_normals();
+    lock_borders(s, number, groups);
+    OpenMesh::Decimater::DecimaterT<Surface> decimater(s);
+    OpenMesh::Decimater::ModQuadricT<Surface>::Handle quadric;
+    OpenMesh::Decimater::ModHausdorffT<Surface>::Handle hausdorff;
+    OpenMesh::Decimater::ModNormalFlippingT<Surface>::Handle flipping;
+    decimater.add(quadric);
+    decimater.add(hausdorff);
+    decimater.add(flipping);
+    decimater.module(quadric).unset_max_err();
+    decimater.module(hausdorff).set_tolerance(distance_mm);
+    decimater.module(flipping).set_max_normal_deviation(kLargestTurnDeg);
+    if (!decimater.initialize()) return false;
+    decimater.decimate();
+    s.garbage_collection();
+    for (const auto v : s.vertices()) out.points.emplace_back(s.point(v)[0], s.point(v)[1], s.point(v)[2]);
+    for (const auto f : s.faces()) {
+        Triangle t{};
+        std::size_t k = 0;
+        for (const auto v : s.fv_range(f))
+            if (k < 3) t[k++] = static_cast<std::uint32_t>(v.idx());
+        out.triangles.push_back(t);
+        out.leaf.push_back(in.leaf[s.property(number, f)]);
+    }
+    return true;
+}
+
+}  // namespace
+}  // namespace whittle
+
+extern "C" __attribute__((visibility("default"))) bool whittle_openmesh_simplify_1(const whittle::Mesh& in, const std::vector<std::uint32_t>& groups,
+                                                                                   double distance_mm, whittle::Mesh& out, std::string& fault) {
+    try {
+        if (whittle::simplified(in, groups, distance_mm, out)) return true;
+        fault = "the mesh is not a manifold";
+    } catch (const std::exception& e) {
+        fault = e.what();
+    }
+    return false;
+}
