@@ -1,6 +1,8 @@
-// reference_mesh.h — the mesh of a solid by another's booleans: CGAL's corefinement over exact constructions instead of modeler/arrange.
+// reference_mesh.h — the mesh of a solid by another's booleans: CGAL's corefinement over exact constructions, its Nef polyhedra where that declines,
+// instead of modeler/arrange.
 //
-// Both take the same leaves on the same grid; from there they share no code. CGAL is slower and declines solids that touch along an edge or in a point.
+// Both take the same leaves on the same grid; from there they share no code. CGAL is slower, and refuses meshes that cross
+// themselves.
 #pragma once
 
 #include "modeler/mesh/mesh.h"

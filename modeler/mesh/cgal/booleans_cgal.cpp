@@ -1,4 +1,4 @@
-// booleans_cgal.cpp — the one translation unit of CGAL's corefinement.
+// booleans_cgal.cpp — the one translation unit of CGAL's corefinement; what that declines goes to nef_booleans.h.
 //
 // CGAL's own checks stay on here whatever the build: where one of them fails, a fault is told instead of a crash.
 // Source: Loriot, Rouxel-Labbé, Tournois, Yaz, Polygon Mesh Processing (CGAL 5.5 manual).
@@ -10,6 +10,7 @@
 #include <exception>
 
 #include "modeler/mesh/cgal/booleans_module.h"
+#include "modeler/mesh/cgal/nef_booleans.h"
 
 namespace whittle {
 namespace {
@@ -82,10 +83,8 @@ bool carried_out(const std::vector<Mesh>& operands, const std::vector<BooleanSte
         }
         Surface result, b = std::move(stack.back());
         stack.pop_back();
-        if (!combined(step.op, stack.back(), b, result)) {
-            fault = "solids touch along an edge or in a point";
-            return false;
-        }
+        // Solids that touch along an edge or in a point have no manifold to show.
+        if (!combined(step.op, stack.back(), b, result)) return nef_booleans(operands, steps, out, fault);
         stack.back() = std::move(result);
     }
     mesh_of(stack.back(), out);

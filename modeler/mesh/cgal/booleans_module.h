@@ -19,7 +19,7 @@ struct BooleanStep {
 
 }  // namespace whittle
 
-// Corefinement over exact constructions; `leaf` of a face is that of the face it was cut from. Operands are closed and oriented, no edge has more than two
-// faces. False and what is wrong where CGAL declines: for solids that touch along an edge or in a point, and for a mesh that crosses itself.
+// Corefinement over exact constructions, Nef polyhedra where it declines; `leaf` of a face is that of the face it was cut from. Operands are closed and
+// oriented, no edge has more than two facets. False and what is wrong where an operand is no closed manifold or crosses itself.
 extern "C" bool whittle_cgal_booleans_1(const std::vector<whittle::Mesh>& operands, const std::vector<whittle::BooleanStep>& steps, whittle::Mesh& out,
                                         std::string& fault);
