@@ -100,3 +100,11 @@ TEST_CASE("the first hit is the first border, however close the next events are"
     CHECK(fault(solid.solid, ray({0x1.24dea8b300a54p+1, 0x1.14832dd40e1e8p+0, 0x1.b05e0096227b2p-4},
                                  {-0x1.e8937e9e44be9p+6, -0x1.2723e9a507388p+6, 0x1.0fba293f43d21p+6})).empty());
 }
+
+TEST_CASE("a ray that starts on an edge and runs along the face beside it is not blocked before it enters") {
+    SolidBuilder b;
+    const NodeId box = b.shape(shape::Box{{0, -1.75, -0x1.6666666666667p+0}, {0.5, 1.75, 0x1.6666666666667p+0}});
+    const Placement turned{{0x1.ffffffffffc83p-1, 0, 0x1.de3864a2f41fap-22, 0, 0, 1, 0, 0, -0x1.de3864a2f41fap-22, 0, 0x1.ffffffffffc83p-1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(box), use(box, turned)})));
+    CHECK(fault(solid, ray({0x1.000014ec1118p-1, 0x1.cp+0, 0x1.666662a9f5762p+0}, {-0x1.000014ec1118p-1, -0x1.cp+1, 0x1.de387828p-23})).empty());
+}

@@ -134,12 +134,22 @@ int RayContext::compare_closely(const Event& a, const Event& b) {
     return compare_exactly(a, b);
 }
 
+namespace {
+
+// A t that no class gave: the root of x - t.
+exact::RealRoot place(double t) {
+    const exact::Dyadic at(t);
+    return {{-at, exact::Dyadic(1.0)}, at - exact::Dyadic(1.0), at};
+}
+
+}  // namespace
+
 int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
     ++counters_->escalated_exact;
     if (a.id == kNoClass) return -compare_exactly(b, a);
     const exact::RealRoot first = exact(a.id).roots[a.index];
-    if (b.id == kNoClass) return first.sign();
+    if (b.id == kNoClass) return b.t == 0 ? first.sign() : exact::RealRoot::compare(first, place(b.t));
     return exact::RealRoot::compare(first, exact(b.id).roots[b.index]);
 }
 

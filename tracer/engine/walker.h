@@ -72,7 +72,8 @@ private:
     Found pass(const Group& g, Event& cursor, bool want, bool& moved);
     bool passed(const Event& change, const Event& cursor);
     bool misses(const Group& g, double begin);
-    bool is_before_far(Found found, const Event& e) const { return found == Found::kHere || (found == Found::kLater && e.t < far_); }
+    // By exact order: the t of a ray that grazes a face may be wrong by more than the part is away.
+    bool is_before_far(Found found, const Event& e) { return found == Found::kHere || (found == Found::kLater && context_.compare(e, {far_, 0, kNoClass, 0, false}) < 0); }
     Found next_in_item(std::uint32_t ref, const Event& cursor, bool want, Event& out);
 
     // Of t; boxes that the ray meets in it matter.
