@@ -161,7 +161,7 @@ const Vec3* KnownPoints::find(const GridPoint& at) const {
 Grid Grid::for_sizes(double of_result, double of_leaves) {
     Grid grid;
     const double most = static_cast<double>(kLargestGridCoordinate) / 2, farthest = static_cast<double>(kLargestPlacedCoordinate) / 2;
-    const auto fits = [&](double per_mm) { return of_result * per_mm <= most && of_leaves * per_mm <= farthest; };
+    const auto fits = [&](double scale) { return of_result * scale <= most && of_leaves * scale <= farthest; };
     const int kMostDigits = 22;  // larger powers of ten are not doubles
     for (int digits = 0; digits < kMostDigits && fits(grid.per_mm * 10); ++digits) grid.per_mm *= 10;
     while (!fits(grid.per_mm)) grid.per_mm /= 10;

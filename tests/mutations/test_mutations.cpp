@@ -141,7 +141,6 @@ TEST_CASE("no border lacks a cause in the boxes that its t lies in", "[.search]"
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds == nullptr ? 60 : std::atoi(seconds));
     std::mt19937_64 random(fresh_seed());
     Scratch scratch;
-    Tally tally;
     int found = 0;
     while (std::chrono::steady_clock::now() < end && found < 5) {
         const Theme theme = std::array{Theme::kThin, Theme::kLadder, Theme::kFar, Theme::kWedge}[random() % 4];
