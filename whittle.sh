@@ -12,7 +12,7 @@ cd "$(dirname "$0")"
 build=build/release
 program_packages="g++ cmake ninja-build libfmt-dev libglm-dev libexpected-dev libsleef-dev libtbb-dev libhwy-dev libgmp-dev libpolyclipping-dev
     libcli11-dev nlohmann-json3-dev libopenimageio-dev libpugixml-dev zlib1g-dev libfreetype-dev libharfbuzz-dev libfontconfig-dev fonts-liberation2"
-test_packages="libcgal-dev libmpfr-dev libopenmesh-dev lib3mf-dev catch2 openscad"
+test_packages="libcgal-dev libmpfr-dev libopenmesh-dev lib3mf-dev catch2 openscad fonts-dejavu-core fonts-urw-base35"
 
 say() { printf '\n== %s\n' "$*"; }
 
