@@ -51,6 +51,25 @@ std::vector<std::size_t> passed(const std::vector<Facet>& facets, const Ray& ray
     return result;
 }
 
+bool is_near(const Facet& facet, const Triple& along, const Ray& ray, const Dyadic& t) {
+    // Everything times |along|^2, where that is not 0, to stay without a division.
+    const Dyadic along2 = dot(along, along);
+    const bool wall = !along2.is_zero();
+    const Triple direction = exact(ray.direction);
+    Triple d = direction;
+    for (std::size_t i = 0; wall && i < 3; ++i) d[i] = direction[i] * along2 - along[i] * dot(direction, along);
+    Dyadic longest;
+    for (std::size_t i = 0; i < facet.lines.size(); ++i) {
+        const Triple side = minus(facet.lines[(i + 1) % facet.lines.size()].point, facet.lines[i].point);
+        const Dyadic leans = dot(side, along);
+        const Dyadic length2 = wall ? dot(side, side) * along2 - leans * leans : dot(side, side);
+        if (longest < length2) longest = length2;
+    }
+    const Dyadic scale = wall ? along2 : Dyadic(1.0);
+    const Dyadic away = t * dot(d, d) - dot(minus(facet.lines[0].point, exact(ray.origin)), d) * scale;
+    return !(Dyadic(7.0625) * longest * dot(d, d) * scale < away * away);
+}
+
 bool is_along(const Faceted& solid, const Ray& ray) {
     const bool prism = !dot(solid.along, solid.along).is_zero();
     const Triple c = cross(solid.along, exact(ray.direction));

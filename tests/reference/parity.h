@@ -19,9 +19,10 @@ struct Line {
     Triple point, direction;
 };
 
-// The plane's own support may be another's by a snap: `support` says where t comes from, the lines say whether there is a crossing.
+// The plane's support may be another's by a snap, and `own` its own: the lines say whether there is a crossing; `support` says where, if that is near the
+// facet, otherwise `own`.
 struct Facet {
-    std::uint32_t support = 0;
+    std::uint32_t support = 0, own = 0;
     Triple normal;
     std::vector<Line> lines;
 };
@@ -38,6 +39,9 @@ struct Faceted {
 
 // The facets that the ray's whole line passes.
 std::vector<std::size_t> passed(const std::vector<Facet>& facets, const Ray& ray);
+
+// Is t within sqrt(7.0625) of the facet's longest side from its first corner, along the ray; of a wall, all seen along the prism's `along`?
+bool is_near(const Facet& facet, const Triple& along, const Ray& ray, const Dyadic& t);
 
 // For a ray along a prism, which passes no wall: is it inside?
 bool is_along(const Faceted& solid, const Ray& ray);

@@ -91,7 +91,8 @@ Evaluator::Evaluator(Tree tree) : tree_(std::move(tree)), readers_(tree_.formula
     for (std::uint32_t i = 0; i < leaf_count(); ++i)
         if (const auto facets = tree_.faceted.find(i); facets != tree_.faceted.end()) {
             for (const Facet& f : facets->second.facets)
-                if (readers_[f.support].empty() || readers_[f.support].back() != i) readers_[f.support].push_back(i);
+                for (const std::uint32_t s : {f.support, f.own})
+                    if (readers_[s].empty() || readers_[s].back() != i) readers_[s].push_back(i);
         } else {
             for (const std::uint32_t s : tree_.formulas.reads(tree_.leaves[i])) readers_[s].push_back(i);
         }
@@ -123,7 +124,13 @@ Borders Evaluator::borders(const Ray& ray, const std::set<std::uint32_t>& leavin
     std::map<std::uint32_t, std::vector<Passed>> behind;
     std::map<std::uint32_t, bool> throughout;
     for (const auto& [leaf, solid] : tree_.faceted) {
-        for (const std::size_t i : passed(solid.facets, ray)) behind[leaf].push_back({solid.facets[i].support, traces[solid.facets[i].support].signs.back()});
+        for (const std::size_t i : passed(solid.facets, ray)) {
+            const Facet& f = solid.facets[i];
+            const std::vector<Root>& roots = traces[f.support].roots;
+            const bool near = !roots.empty() && (f.support == f.own || is_near(f, solid.along, ray, roots[0].lo));
+            const std::uint32_t s = near ? f.support : f.own;
+            behind[leaf].push_back({s, traces[s].signs.back()});
+        }
         throughout[leaf] = is_along(solid, ray) && holds_along(solid, ray);
     }
     const auto leaf_holds_now = [&](std::uint32_t leaf) {

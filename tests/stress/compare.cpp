@@ -244,7 +244,7 @@ std::string loose_disagreement(const reference::Evaluator& a, const reference::E
             moved.origin[k] += little(random) * (size + length(ray.origin));
             moved.direction[k] += little(random) * length(ray.direction);
         }
-        if (!alike(plain(left), plain(a.borders(moved)), 1e-8 * unit)) {
+        if (!alike(plain(left), plain(a.borders(moved)), 1e-8 * unit) || alike(plain(left), plain(b.borders(moved)), 1e-8 * unit)) {
             ++tally.masked;
             return {};
         }

@@ -35,7 +35,8 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
 // That reference in turn must be, a little way along, where a plain ray is that starts there.
 std::string continuation_disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally);
 
-// Empty where both references have the same borders, or where the answer of `a` changes when the ray moves by 1e-12 ... 1e-17 of the solid's size (then masked).
+// Empty where both references have the same borders, or where a move of the ray by 1e-12 ... 1e-17 of the solid's size changes the answer of `a`, or makes
+// that of `b` the one of `a` (then masked: rounding in reading moves the solid as much, and may open a slit that just this ray lies in).
 // Intervals shorter than 1e-9 of the size are left out first. For a formula whose numbers were rounded in reading against the solid before.
 std::string loose_disagreement(const reference::Evaluator& a, const reference::Evaluator& b, const Ray& ray, double size, std::mt19937_64& random, Tally& tally);
 

@@ -84,7 +84,7 @@ private:
 
 class Reader {
 public:
-    Reader(const Formula& formula, const Classes& classes) : formula_(formula) {
+    Reader(const Formula& formula, const Classes& classes) : formula_(formula), classes_(classes) {
         for (const Frame& f : formula.table.frames) frames_.push_back(reference::pulled_back(reference::root_frame_point(), reference::exact(f.placement)));
         std::vector<Form> of_class;
         for (const Support& s : classes.supports) {
@@ -169,7 +169,7 @@ private:
             for (std::size_t i = 0; i < contour.size(); ++i, ++edge) {
                 if (prism.edges[edge] == kNoSupport) continue;
                 const Triple a = corner(contour[i]), b = corner(contour[(i + 1) % contour.size()]);
-                facets.push_back({support(prism.edges[edge]), reference::cross(reference::minus(b, a), along), {{a, along}, {b, against}}});
+                facets.push_back({support(prism.edges[edge]), own(prism.edges[edge]), reference::cross(reference::minus(b, a), along), {{a, along}, {b, against}}});
             }
         return {std::move(facets), along, across};
     }
@@ -181,7 +181,7 @@ private:
             const auto& t = part.mesh->triangles[i];
             const Triple a = placed(part.frame, part.mesh->points[t[0]]), b = placed(part.frame, part.mesh->points[t[1]]), c = placed(part.frame, part.mesh->points[t[2]]);
             const Triple ab = reference::minus(b, a), bc = reference::minus(c, b), ca = reference::minus(a, c);
-            facets.push_back({support(part.facets[i]), reference::cross(ab, bc), {{a, ab}, {b, bc}, {c, ca}}});
+            facets.push_back({support(part.facets[i]), own(part.facets[i]), reference::cross(ab, bc), {{a, ab}, {b, bc}, {c, ca}}});
         }
         return {std::move(facets), {}, {}};
     }
@@ -191,7 +191,10 @@ private:
         return tree_.formulas.support(forms_[id], flipped);
     }
 
+    std::uint32_t own(SupportId id) const { return out_.support_of_class[classes_.own[id]]; }
+
     const Formula& formula_;
+    const Classes& classes_;
     std::vector<FormPoint> frames_;
     std::vector<Form> forms_;  // by support
     Lowered out_;
@@ -206,7 +209,7 @@ Lowered lowered(const Formula& formula, const Classes& classes) { return Reader(
 Result<Lowered> lowered(const Solid& solid, bool snap) {
     const Result<Formula> formula = lower(solid);
     if (!formula) return tl::unexpected<Error>(formula.error());
-    return lowered(*formula, find_classes(formula->table, snap));
+    return lowered(*formula, find_classes(*formula, snap));
 }
 
 }  // namespace whittle::stress

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/stress/compare.h"
+#include "tests/support/random_solid.h"
 
 using namespace whittle;
 using namespace whittle::stress;
@@ -107,4 +108,17 @@ TEST_CASE("a ray that starts on an edge and runs along the face beside it is not
     const Placement turned{{0x1.ffffffffffc83p-1, 0, 0x1.de3864a2f41fap-22, 0, 0, 1, 0, 0, -0x1.de3864a2f41fap-22, 0, 0x1.ffffffffffc83p-1, 0}};
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(box), use(box, turned)})));
     CHECK(fault(solid, ray({0x1.000014ec1118p-1, 0x1.cp+0, 0x1.666662a9f5762p+0}, {-0x1.000014ec1118p-1, -0x1.cp+1, 0x1.de387828p-23})).empty());
+}
+
+TEST_CASE("a facet whose class lies along the ray is crossed in its own plane") {
+    SolidBuilder b;
+    const Placement turned{{0x1.bb67ae8584caap-1, -0.5, 0, 0, 0.5, 0x1.bb67ae8584caap-1, 0, 0, 0, 0, 1, 0}};
+    const auto corners = std::vector<Vec3>{{0, 0, 0}, {0x1.fa8cb5df05fe7p+0, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}};
+    const NodeId corner = b.shape(shape::Polyhedron{std::make_shared<const FacetList>(FacetList{corners, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}})});
+    const Placement placed{{0x1.b02e9d942a513p-1, 0x1.3a9788e14dc81p-3, 0x1.0703f56dc5747p-1, 0, 0, -0x1.ea89e230351f9p-1, 0x1.255da5a560bb9p-2, 0,
+                            0x1.1285c6e714b09p-1, -0x1.ef4372ef102c8p-3, -0x1.9e1100353b69bp-1, 0}};
+    const NodeId both = b.combine(SetOp::kUnion, {use(b.shape(shape::Frustum{0, 0x1.fb36ae6b0a591p+0, 0, 0.5})), use(corner, turned)});
+    CHECK(fault(b.finish(use(both, placed)), ray({0, 0, 0}, {0x1.3a9788e14dc81p-3, -0x1.ea89e230351f9p-1, -0x1.ef4372ef102c8p-3})).empty());
+    const support::RandomSolid solid = support::random_solid(support::Theme::kInstances, 7659062266628665452u);
+    CHECK(fault(solid.solid, ray({-0x1p-2, 0x1.0f876ccdf6cdap-1, -0x1.0f876ccdf6cdap-1}, {0x1.8p+0, 0x1.6a09e667f3bcdp+0, 0x1.6a09e667f3bcdp+0})).empty());
 }

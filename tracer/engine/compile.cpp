@@ -73,7 +73,7 @@ void describe_flat(Program& program) {
 
 class Compiler {
 public:
-    Compiler(Formula formula, const EngineOptions& options) : formula_(std::move(formula)), classes_(find_classes(formula_.table, options.snap)) {
+    Compiler(Formula formula, const EngineOptions& options) : formula_(std::move(formula)), classes_(find_classes(formula_, options.snap)) {
         program_.passes = passes_made(options.disabled_passes);
     }
 
@@ -205,6 +205,17 @@ private:
         return Ref::group(static_cast<std::uint32_t>(program_.groups.size() - 1));
     }
 
+    // As PrismLeaf::own.
+    std::vector<ClassId> own_planes(const std::vector<SupportId>& facets) const {
+        std::vector<ClassId> own;
+        bool differ = false;
+        for (const SupportId s : facets) {
+            own.push_back(s == kNoSupport ? kNoClass : classes_.own[s]);
+            differ = differ || (s != kNoSupport && classes_.own[s] != classes_.of[s].id);
+        }
+        return differ ? own : std::vector<ClassId>{};
+    }
+
     void add_prism(const PrismData& p) {
         PrismLeaf leaf;
         leaf.frame = p.frame;
@@ -224,6 +235,7 @@ private:
             const ClassOfSupport c = classes_.of[p.edges[i]];
             leaf.sides.push_back({(c.id << 1) | static_cast<std::uint32_t>(c.flipped != is_outside_of_its_support(leaf.points[i], leaf.points[leaf.next[i]]))});
         }
+        leaf.own = own_planes(p.edges);
         program_.prisms.push_back(std::move(leaf));
     }
 
@@ -240,7 +252,7 @@ private:
             if (m.mesh->triangles.empty()) built->order.clear(), built->nodes[0].count = 0;
             hierarchy = std::move(built);
         }
-        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, m.exact};
+        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets), m.exact};
         for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
         program_.meshes.push_back(std::move(leaf));
     }

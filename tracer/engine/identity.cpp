@@ -184,8 +184,26 @@ private:
     std::multimap<double, Member> members_;
 };
 
+void keep_own_planes(const Formula& formula, Classes& classes) {
+    classes.own.reserve(classes.of.size());
+    for (const ClassOfSupport& c : classes.of) classes.own.push_back(c.id);
+    const auto keep = [&](const std::vector<SupportId>& facets) {
+        for (const SupportId s : facets) {
+            if (s == kNoSupport || classes.own[s] != classes.of[s].id || classes.supports[classes.own[s]] == formula.table.supports[s]) continue;
+            classes.own[s] = static_cast<ClassId>(classes.supports.size());
+            classes.supports.push_back(formula.table.supports[s]);
+        }
+    };
+    for (const PrismData& prism : formula.prisms) keep(prism.edges);
+    for (const MeshPart& mesh : formula.meshes) keep(mesh.facets);
+}
+
 }  // namespace
 
-Classes find_classes(const SupportTable& table, bool snap) { return Finder(table, snap && !mutated(Mutation::kOwnIdentity)).run(); }
+Classes find_classes(const Formula& formula, bool snap) {
+    Classes classes = Finder(formula.table, snap && !mutated(Mutation::kOwnIdentity)).run();
+    keep_own_planes(formula, classes);
+    return classes;
+}
 
 }  // namespace whittle

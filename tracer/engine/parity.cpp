@@ -1,5 +1,6 @@
 // parity.cpp — prisms and meshes: a ray is inside behind an odd number of crossings. Which facets it crosses is decided by sides of vertices and
-// edges alone; where, by the class of the facet.
+// edges alone; where, by the class of the facet. A class that another's plane stands for may cross a ray that is almost in it far away from the facet, or
+// nowhere: then the facet's own plane says where.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +11,61 @@ namespace whittle {
 
 namespace {
 
-void push_crossing(RayContext& context, ClassId id, std::vector<Event>& out) {
+bool push_crossing(RayContext& context, ClassId id, std::vector<Event>& out) {
     Crossings c;
     context.crossings(id, c);
     if (c.count == 1) out.push_back({c.t[0], c.error[0], id, 0, false});
+    return c.count == 1;
+}
+
+// The square of how many of its own lengths away from its first corner a facet's crossing may lie. Its own plane's lies within one; anything above will
+// do, and no round figure, so that no tidy scene stands on the edge.
+constexpr double kFacetsReach2 = 7.0625;
+
+// Is `t` near the facet with these corners, seen along `along` (0: as it is)? In the root frame.
+bool is_near(const Ray& ray, const std::array<Vec3, 3>& corners, const Vec3& along, double t) {
+    const double length2 = dot(along, along);
+    const auto seen = [&](const Vec3& v) { return length2 > 0 ? v - along * (dot(v, along) / length2) : v; };
+    const Vec3 d = seen(ray.direction), ab = seen(corners[1] - corners[0]), bc = seen(corners[2] - corners[1]), ca = seen(corners[0] - corners[2]);
+    const double away = t * dot(d, d) - dot(corners[0] - ray.origin, d);
+    return away * away <= kFacetsReach2 * std::max({dot(ab, ab), dot(bc, bc), dot(ca, ca)}) * dot(d, d);
+}
+
+// The crossing of a facet whose class is another's plane: of the class where that is near it, otherwise of its own plane.
+template <class Corners>
+void push_near(RayContext& context, ClassId id, ClassId own, const Corners& corners, const Vec3& along, std::vector<Event>& out) {
+    if (id == own) {
+        push_crossing(context, id, out);
+        return;
+    }
+    if (push_crossing(context, id, out)) {
+        if (is_near(context.ray(), corners(), along, out.back().t)) return;
+        out.pop_back();
+    }
+    push_crossing(context, own, out);
+}
+
+void push_edge(const PrismLeaf& p, std::size_t edge, RayContext& context, std::vector<Event>& out) {
+    const ClassId id = p.edges[edge];
+    if (id == kNoClass) return;
+    if (p.own.empty()) {
+        push_crossing(context, id, out);
+        return;
+    }
+    const Placement& placement = context.frame(p.frame).placement;
+    Vec3 along{0};
+    along[p.axis] = 1;
+    const auto corner = [&](const Vec2& v) {
+        Vec3 at{0};
+        at[(p.axis + 1) % 3] = v.x;
+        at[(p.axis + 2) % 3] = v.y;
+        return apply_to_point(placement, at);
+    };
+    const auto corners = [&] {
+        const Vec3 a = corner(p.points[edge]), b = corner(p.points[p.next[edge]]);
+        return std::array<Vec3, 3>{a, b, b};
+    };
+    push_near(context, id, p.own[edge], corners, apply_to_direction(placement, along), out);
 }
 
 // A ray along the prism: inside everywhere or nowhere.
@@ -43,7 +95,7 @@ bool prism_events(const PrismLeaf& p, RayContext& context, std::vector<Event>& o
         while (true) {
             const bool closes = p.next[i] == start;
             const int next_side = closes ? first_side : side_of_point(context, p.frame, p.axis, p.points[i + 1]);
-            if (side != next_side && p.edges[i] != kNoClass) push_crossing(context, p.edges[i], out);
+            if (side != next_side) push_edge(p, i, context, out);
             side = next_side;
             ++i;
             if (closes) break;
@@ -65,7 +117,15 @@ void test_triangle(const MeshLeaf& m, std::uint32_t index, RayContext& context, 
         if (s == 0 || (wanted != 0 && s != wanted)) return;
         wanted = s;
     }
-    push_crossing(context, m.facets[index], out);
+    if (m.own.empty()) {
+        push_crossing(context, m.facets[index], out);
+        return;
+    }
+    const auto corners = [&] {
+        const Placement& placement = context.frame(m.frame).placement;
+        return std::array<Vec3, 3>{apply_to_point(placement, m.mesh->points[t[0]]), apply_to_point(placement, m.mesh->points[t[1]]), apply_to_point(placement, m.mesh->points[t[2]])};
+    };
+    push_near(context, m.facets[index], m.own[index], corners, Vec3(0), out);
 }
 
 }  // namespace

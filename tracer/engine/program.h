@@ -61,6 +61,7 @@ struct PrismLeaf {
     std::vector<Vec2> points;
     std::vector<std::uint32_t> next;  // the vertex that ends the edge from this one
     std::vector<ClassId> edges;       // class of that edge; kNoClass where it has no length
+    std::vector<ClassId> own;         // a class of the edge's own plane (identity.h); empty where all are those of `edges`
     bool convex = false;              // one contour, convex and counter-clockwise: the intersection of
     std::vector<HalfSpace> sides;     // these, an edge each
 };
@@ -70,6 +71,7 @@ struct MeshLeaf {
     std::shared_ptr<const TriangleList> mesh;
     std::shared_ptr<const Hierarchy> hierarchy;
     std::vector<ClassId> facets;
+    std::vector<ClassId> own;  // as of a prism's edges
     bool exact = true;  // its ends are certified
 };
 

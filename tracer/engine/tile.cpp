@@ -346,9 +346,11 @@ void describe_for_packets(Program& program) {
         if (leaf.kind == FormulaKind::kCell)
             for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
         if (leaf.kind == FormulaKind::kPrism)
-            for (const ClassId id : program.prisms[leaf.first].edges) meet(id, i, program.prisms[leaf.first].convex);
+            for (const auto* classes : {&program.prisms[leaf.first].edges, &program.prisms[leaf.first].own})
+                for (const ClassId id : *classes) meet(id, i, program.prisms[leaf.first].convex);
         if (leaf.kind == FormulaKind::kMesh)
-            for (const ClassId id : program.meshes[leaf.first].facets) meet(id, i, false);
+            for (const auto* classes : {&program.meshes[leaf.first].facets, &program.meshes[leaf.first].own})
+                for (const ClassId id : *classes) meet(id, i, false);
     }
     // Packets look for the least use; priorities are a single ray's work.
     program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
