@@ -122,3 +122,19 @@ TEST_CASE("a facet whose class lies along the ray is crossed in its own plane") 
     const support::RandomSolid solid = support::random_solid(support::Theme::kInstances, 7659062266628665452u);
     CHECK(fault(solid.solid, ray({-0x1p-2, 0x1.0f876ccdf6cdap-1, -0x1.0f876ccdf6cdap-1}, {0x1.8p+0, 0x1.6a09e667f3bcdp+0, 0x1.6a09e667f3bcdp+0})).empty());
 }
+
+TEST_CASE("a turned edge that passes the axis ends there") {
+    for (const bool cut : {false, true}) {
+        SolidBuilder b;
+        NodeId profile = b.shape(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(1, std::vector<Vec2>{{-0.5, -1.3}, {0.75, -1.3}, {-0.5, 0.3}})});
+        if (cut) profile = b.combine(SetOp::kDifference, {use(profile), use(b.shape(shape::Rectangle{{-5, -5}, {0, 5}}))});
+        const auto program = compile(b.finish(use(b.shape(shape::Revolution{profile, 0, 360, 0}))));
+        REQUIRE(program);
+        Scratch scratch;
+        Spans spans;
+        all_spans(**program, ray({-4, 0.01, 0.1}, {1, 0, 0}), scratch, spans);
+        CHECK(spans.empty());
+        all_spans(**program, ray({-4, 0.01, -1}, {1, 0, 0}), scratch, spans);
+        CHECK(spans.size() == 1);
+    }
+}

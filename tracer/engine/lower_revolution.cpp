@@ -47,12 +47,13 @@ std::vector<Edge> edges_of(const std::vector<std::vector<Vec2>>& contours) {
     return edges;
 }
 
-// Heights at which edges begin, end or cross (a crossing's height is rounded: part of reading).
+// Heights at which edges begin, end, cross or pass the axis, behind which a cone would open again (a crossing's height is rounded: part of reading).
 std::vector<double> cuts_of(const std::vector<Edge>& edges) {
     std::vector<double> cuts;
     for (const Edge& e : edges) {
         cuts.push_back(e.low.y);
         cuts.push_back(e.high.y);
+        if ((e.low.x < 0 && e.high.x > 0) || (e.low.x > 0 && e.high.x < 0)) cuts.push_back(e.low.y + (e.high.y - e.low.y) * (e.low.x / (e.low.x - e.high.x)));
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
