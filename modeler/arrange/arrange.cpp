@@ -27,12 +27,14 @@ Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expr
     Lap lap;
     Patches patches = patches_of(operands);
     const BoxTree tree(patches.boxes, patches.owner);
-    const auto small = small_faces_of(patches, tree, options.cancelled);
+    const Buried buried = options.bury ? buried_facets(patches, operands, expression) : nothing_buried(patches, operands);
+    const auto small = small_faces_of(patches, tree, buried, options.cancelled);
     if (!small) return tl::unexpected(small.error());
+    stats.buried += buried.count;
     stats.pairs += small->pairs;
     stats.small_faces += small->faces.size();
     stats.seconds_cut += lap.seconds();
-    const auto sides = classify(patches, tree, *small, expression);
+    const auto sides = classify(patches, tree, *small, buried, expression);
     if (!sides) return tl::unexpected(sides.error());
     stats.seconds_classify += lap.seconds();
     ArrangedMesh mesh = surface_of(patches, operands, *small, *sides, options, stats);

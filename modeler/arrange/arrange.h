@@ -17,6 +17,7 @@
 namespace whittle {
 
 struct ArrangeStats {
+    std::uint64_t buried = 0;       // facets that were left alone
     std::uint64_t pairs = 0;        // of flat pieces that were tested
     std::uint64_t small_faces = 0;  // after cutting
     std::uint64_t removed = 0;      // vertices taken out of flat facets and straight edges
@@ -34,6 +35,7 @@ struct ArrangedMesh {
 struct ArrangeOptions {
     bool join = true;                       // join flat pieces of one facet and straight pieces of one edge
     std::function<bool()> cancelled = [] { return false; };
+    bool bury = true;                       // leave out facets within operands that settle the result there; off for comparison
 };
 
 // Requires: every |placed coordinate| <= kLargestPlacedCoordinate; operand i of the expression is operands[i].

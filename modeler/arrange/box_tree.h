@@ -25,6 +25,12 @@ inline bool touch(const DoubleBox& a, const DoubleBox& b) {
     return true;
 }
 
+inline bool strictly_within(const DoubleBox& a, const DoubleBox& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (a.lo[i] <= b.lo[i] || a.hi[i] >= b.hi[i]) return false;
+    return true;
+}
+
 class BoxTree {
 public:
     static constexpr std::uint32_t kMixed = 0xFFFFFFFF;

@@ -90,13 +90,18 @@ private:
 std::uint32_t side_after(const FaceEdge& e) { return 2 * e.face + (e.forward ? 0 : 1); }
 std::uint32_t side_before(const FaceEdge& e) { return 2 * e.face + (e.forward ? 1 : 0); }
 
-bool join_sides(const Patches& patches, const SmallFaces& small, DisjointSets& sides) {
+// Where facets are missing, edges may be left with one face and regions be joined that are not one; but only regions whose value is settled.
+bool join_sides(const Patches& patches, const SmallFaces& small, const Buried& buried, DisjointSets& sides) {
     const std::vector<FaceEdge> edges = edges_of(small.faces);
     RoundAnEdge sorter(patches, small);
     std::vector<FaceEdge> round;
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {}
-        if (j - i == 1) return false;
+        if (j - i == 1) {
+            if (buried.count == 0) return false;
+            sides.join(side_after(edges[i]), side_before(edges[i]));
+            continue;
+        }
         if (j - i == 2) {
             sides.join(side_after(edges[i]), side_before(edges[i + 1]));
             sides.join(side_after(edges[i + 1]), side_before(edges[i]));
@@ -150,15 +155,34 @@ double area_of(const PointTable& points, const SmallFace& f) {
 // Walks over the regions of one connected piece of surface, switching operands.
 class Walker {
 public:
-    Walker(const Patches& patches, const SmallFaces& small, const Regions& regions, Expression& expression)
-        : patches_(patches), small_(small), regions_(regions), expression_(expression), winding_(expression.operand_count(), 0),
+    Walker(const Patches& patches, const SmallFaces& small, const Regions& regions, const Buried& buried, Expression& expression)
+        : patches_(patches), small_(small), regions_(regions), buried_(buried), expression_(expression), winding_(expression.operand_count(), 0),
           inside_(regions.count(), kUnknown) {}
 
     bool known(std::uint32_t region) const { return inside_[region] != kUnknown; }
     bool inside(std::uint32_t region) const { return inside_[region] == 1; }
 
-    void walk(std::uint32_t region, const std::vector<std::pair<std::uint32_t, int>>& windings) {
+    // From both sides of a face, given the windings in front of it.
+    void walk_from(std::uint32_t face, const std::vector<std::pair<std::uint32_t, int>>& windings) {
         for (const auto& [operand, by] : windings) turn(operand, by);
+        walk(regions_.of_side[2 * face]);
+        cross(face, 1);
+        walk(regions_.of_side[2 * face + 1]);
+        cross(face, -1);
+        for (const auto& [operand, by] : windings) turn(operand, -by);
+    }
+
+private:
+    static constexpr std::uint8_t kUnknown = 2;
+    static constexpr std::uint32_t kNoFace = 0xFFFFFFFF;
+    struct Stop {
+        std::uint32_t region, next, through;
+        int direction;
+    };
+
+    // To all regions that are reached without passing through what is settled. The windings are the region's.
+    void walk(std::uint32_t region) {
+        if (known(region)) return;
         enter(region, kNoFace);
         while (!way_.empty()) {
             Stop& stop = way_.back();
@@ -175,20 +199,11 @@ public:
             cross(face, direction);
             enter(other, face, direction);
         }
-        for (const auto& [operand, by] : windings) turn(operand, -by);
     }
-
-private:
-    static constexpr std::uint8_t kUnknown = 2;
-    static constexpr std::uint32_t kNoFace = 0xFFFFFFFF;
-    struct Stop {
-        std::uint32_t region, next, through;
-        int direction;
-    };
 
     void enter(std::uint32_t region, std::uint32_t through, int direction = 0) {
         inside_[region] = expression_.value() ? 1 : 0;
-        way_.push_back({region, regions_.first[region], through, direction});
+        way_.push_back({region, regions_.first[settled_ > 0 ? region + 1 : region], through, direction});
     }
     // direction 1: from the front to the back.
     void cross(std::uint32_t face, int direction) {
@@ -198,13 +213,17 @@ private:
         int& w = winding_[operand];
         const bool was = w != 0;
         w += by;
-        if (was != (w != 0)) expression_.set(operand, w != 0);
+        if (was == (w != 0)) return;
+        expression_.set(operand, w != 0);
+        if (buried_.operands[operand]) settled_ += was ? -1 : 1;
     }
 
     const Patches& patches_;
     const SmallFaces& small_;
     const Regions& regions_;
+    const Buried& buried_;
     Expression& expression_;
+    int settled_ = 0;  // operands around the present place that settle the expression
     std::vector<int> winding_;
     std::vector<std::uint8_t> inside_;
     std::vector<Stop> way_;
@@ -235,22 +254,23 @@ std::vector<std::vector<std::uint32_t>> largest_faces(const Patches& patches, co
 
 }  // namespace
 
-Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, Expression& expression) {
+Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried, Expression& expression) {
     DisjointSets sides(small.faces.size() * 2);
-    if (!join_sides(patches, small, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
+    if (!join_sides(patches, small, buried, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
     const Regions regions = regions_of(sides, small.faces.size());
-    Walker walker(patches, small, regions, expression);
-    for (const auto& faces : largest_faces(patches, small, regions)) {
-        bool done = false;
-        for (const std::uint32_t f : faces) {
-            const auto windings = windings_in_front(patches, tree, small, small.faces[f]);
-            if (!windings) continue;
-            walker.walk(regions.of_side[2 * f], *windings);
-            done = true;
-            break;
-        }
-        if (!done) return fail(Fault::kScene, "solids cannot be combined: a piece is too thin to be told inside from outside");
-    }
+    Walker walker(patches, small, regions, buried, expression);
+    const auto begin_at = [&](std::uint32_t face) {
+        const auto windings = windings_in_front(patches, tree, small, small.faces[face]);
+        if (windings) walker.walk_from(face, *windings);
+        return windings.has_value();
+    };
+    for (const auto& faces : largest_faces(patches, small, regions)) static_cast<void>(std::any_of(faces.begin(), faces.end(), begin_at));
+    const auto is_known = [&](std::uint32_t region) { return walker.known(region); };
+    if (buried.count > 0)  // what lies behind something settled, or within it
+        for (std::uint32_t side = 0; side < regions.of_side.size(); ++side)
+            if (!is_known(regions.of_side[side])) begin_at(side / 2);
+    if (!std::all_of(regions.of_side.begin(), regions.of_side.end(), is_known))
+        return fail(Fault::kScene, "solids cannot be combined: a piece is too thin to be told inside from outside");
     std::vector<FaceSides> out(small.faces.size());
     for (std::size_t f = 0; f < out.size(); ++f) out[f] = {walker.inside(regions.of_side[2 * f]), walker.inside(regions.of_side[2 * f + 1])};
     return out;

@@ -16,7 +16,7 @@ struct FaceSides {
 };
 
 // For every small face. kScene fault where the faces do not close.
-Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, Expression& expression);
+Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried, Expression& expression);
 
 // Winding numbers other than zero in front of a face, by operand. Nothing where no ray through the face is general enough.
 std::optional<std::vector<std::pair<std::uint32_t, int>>> windings_in_front(const Patches& patches, const BoxTree& tree, const SmallFaces& small,

@@ -40,4 +40,18 @@ void Expression::set(std::uint32_t operand, bool inside) {
     }
 }
 
+bool Expression::is_settled_within(std::uint32_t operand) const {
+    Id at = operands_[operand];
+    bool value = true;
+    while (nodes_[at].parent != kNone) {
+        const SetOp op = nodes_[nodes_[at].parent].op;
+        // Only true settles a union and, as a cutter, a difference; only false an intersection and, as what is cut, a difference.
+        const bool needs = op == SetOp::kUnion || (op == SetOp::kDifference && !nodes_[at].first);
+        if (value != needs) return false;
+        value = op == SetOp::kUnion;
+        at = nodes_[at].parent;
+    }
+    return at == root_;
+}
+
 }  // namespace whittle

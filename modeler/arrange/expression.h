@@ -19,6 +19,8 @@ public:
     std::size_t operand_count() const { return operands_.size(); }
     void set(std::uint32_t operand, bool inside);
     bool value() const { return nodes_[root_].value; }
+    // Does the value no longer depend on the other operands where this one is on?
+    bool is_settled_within(std::uint32_t operand) const;
 
 private:
     static constexpr Id kNone = 0xFFFFFFFF;

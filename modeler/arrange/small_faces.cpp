@@ -38,11 +38,11 @@ bool known_to(const Patches& patches, const Patch& patch, PointId from, PointId 
     return false;
 }
 
-Result<Meetings> meetings_of(Patches& patches, const BoxTree& tree, const std::function<bool()>& cancelled) {
+Result<Meetings> meetings_of(Patches& patches, const BoxTree& all, const Buried& buried, const std::function<bool()>& cancelled) {
     Meetings out{{}, DisjointSets(patches.facets.size()), std::vector<bool>(patches.facets.size(), false)};
     bool stopped = false;
     constexpr std::uint64_t kAskEvery = 4096;
-    tree.pairs([&](std::uint32_t i, std::uint32_t j) {
+    const auto meet = [&](std::uint32_t i, std::uint32_t j) {
         if (stopped || (++out.pairs % kAskEvery == 0 && cancelled())) {
             stopped = true;
             return;
@@ -58,7 +58,16 @@ Result<Meetings> meetings_of(Patches& patches, const BoxTree& tree, const std::f
         }
         if (!known_to(patches, a, contact.from, contact.to)) out.traces.push_back({a.facet, contact.from, contact.to, j});
         if (!known_to(patches, b, contact.from, contact.to)) out.traces.push_back({b.facet, contact.from, contact.to, i});
-    });
+    };
+    if (buried.count == 0) {
+        all.pairs(meet);
+    } else {
+        std::vector<std::uint32_t> kept, owner;
+        std::vector<DoubleBox> boxes;
+        for (std::uint32_t i = 0; i < patches.patches.size(); ++i)
+            if (!buried.facets[patches.patches[i].facet]) kept.push_back(i), boxes.push_back(patches.boxes[i]), owner.push_back(patches.owner[i]);
+        BoxTree(std::move(boxes), std::move(owner)).pairs([&](std::uint32_t i, std::uint32_t j) { meet(kept[i], kept[j]); });
+    }
     if (stopped) return fail(Fault::kInterrupted, "interrupted");
     return out;
 }
@@ -262,8 +271,8 @@ private:
 
 }  // namespace
 
-Result<SmallFaces> small_faces_of(Patches& patches, const BoxTree& tree, const std::function<bool()>& cancelled) {
-    auto meetings = meetings_of(patches, tree, cancelled);
+Result<SmallFaces> small_faces_of(Patches& patches, const BoxTree& tree, const Buried& buried, const std::function<bool()>& cancelled) {
+    auto meetings = meetings_of(patches, tree, buried, cancelled);
     if (!meetings) return tl::unexpected(meetings.error());
     const std::vector<Cluster> clusters = clusters_of(patches, *meetings);
     SmallFaces out;
@@ -276,7 +285,7 @@ Result<SmallFaces> small_faces_of(Patches& patches, const BoxTree& tree, const s
         for (const std::uint32_t f : c.facets) is_cut[f] = true;
     }
     for (std::uint32_t f = 0; f < patches.facets.size(); ++f)
-        if (!is_cut[f]) cutter.keep(f);
+        if (!is_cut[f] && !buried.facets[f]) cutter.keep(f);
     return out;
 }
 

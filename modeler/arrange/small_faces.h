@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "csg/base/result.h"
-#include "modeler/arrange/patches.h"
+#include "modeler/arrange/buried.h"
 
 namespace whittle {
 
@@ -36,7 +36,7 @@ struct SmallFaces {
     std::uint64_t pairs = 0;         // of pieces that were looked at
 };
 
-// New points enter `patches.points`. `tree` holds patches.boxes. kScene fault where a mesh is not closed where it has to be, kInterrupted.
-Result<SmallFaces> small_faces_of(Patches& patches, const BoxTree& tree, const std::function<bool()>& cancelled);
+// Of the facets that are not buried. New points enter `patches.points`. `tree` holds patches.boxes. kScene fault where a mesh is not closed where it has to be, kInterrupted.
+Result<SmallFaces> small_faces_of(Patches& patches, const BoxTree& tree, const Buried& buried, const std::function<bool()>& cancelled);
 
 }  // namespace whittle

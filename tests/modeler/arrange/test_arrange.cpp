@@ -40,7 +40,7 @@ struct Placed {
     GridPoint at{};
 };
 
-ArrangedMesh combined(SetOp op, const std::vector<Placed>& parts, bool join = true) {
+ArrangedMesh combined(SetOp op, const std::vector<Placed>& parts, bool join = true, bool bury = true, std::uint64_t* buried = nullptr) {
     std::vector<Operand> operands;
     Expression expression;
     std::vector<Expression::Id> ids;
@@ -54,8 +54,10 @@ ArrangedMesh combined(SetOp op, const std::vector<Placed>& parts, bool join = tr
     ArrangeStats stats;
     ArrangeOptions options;
     options.join = join;
+    options.bury = bury;
     auto made = arrange(operands, expression, options, stats);
     if (!made) FAIL(made.error().message);
+    if (buried != nullptr) *buried += stats.buried;
     return std::move(*made);
 }
 
@@ -151,6 +153,51 @@ TEST_CASE("random tetrahedra: inclusion and exclusion to the last bits, closed, 
         CHECK(joined.triangles.size() <= cut.triangles.size());
         CHECK(volume(cut) / unit == Approx(volume(joined) / unit).margin(1e-12));
     }
+}
+
+TEST_CASE("facets within other operands are left out, and the solid stays what it is") {
+    const std::uint64_t seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    std::uint64_t all_buried = 0;
+    for (int round = 0; round < 30; ++round) {
+        const std::int64_t size = round % 2 == 0 ? 12 : 1'000'000'000;
+        std::uniform_int_distribution<std::int64_t> place(0, size), length(1, size);
+        std::vector<Placed> parts;
+        for (int i = 0; i < 24; ++i) {
+            const GridPoint by{place(random), place(random), place(random)};
+            parts.push_back({i % 3 == 0 ? tetrahedron(random, size) : box(length(random), length(random), length(random)), by});
+        }
+        const double unit = std::pow(static_cast<double>(size), 3);
+        for (const SetOp op : {SetOp::kUnion, SetOp::kDifference, SetOp::kIntersection}) {
+            std::uint64_t buried = 0;
+            const ArrangedMesh fast = combined(op, parts, true, true, &buried), slow = combined(op, parts, true, false);
+            CHECK(closed(fast));
+            CHECK(count_crossings(fast.points, fast.triangles) == count_crossings(slow.points, slow.triangles));
+            CHECK(volume(fast) / unit == Approx(volume(slow) / unit).margin(1e-12));
+            CHECK(fast.points.size() == slow.points.size());
+            CHECK((op != SetOp::kIntersection || buried == 0));
+            all_buried += buried;
+        }
+    }
+    CHECK(all_buried > 0);
+}
+
+TEST_CASE("a hollow that only buried facets lead to is found, with what lies in it") {
+    // Six slabs close a room of 20; every slab's end is buried in another. A block stands in the room, touching nothing.
+    std::vector<Placed> parts;
+    for (const std::int64_t at : {0, 30}) {
+        parts.push_back({box(40, 40, 10), {0, 0, at}});
+        parts.push_back({box(40, 10, 38), {0, at, 1}});
+        parts.push_back({box(10, 38, 38), {at, 1, 1}});
+    }
+    parts.push_back({box(4, 4, 4), {18, 18, 18}});
+    const ArrangedMesh room = combined(SetOp::kUnion, parts);
+    CHECK(volume(room) == Approx(volume(combined(SetOp::kUnion, parts, true, false))));
+    CHECK(closed(room));
+    double least = 100;  // distance of any point to the middle of the block
+    for (const Vec3& p : room.points) least = std::min(least, glm::length(p - Vec3(20)));
+    CHECK(least == Approx(std::sqrt(12.0)));
 }
 
 TEST_CASE("a mesh that crosses itself becomes its outside") {
