@@ -77,6 +77,17 @@ void Console::say(Severity severity, std::string_view text) {
     tell(one, {});
 }
 
+void Console::export_warning(std::string_view text) {
+    warnings_.emplace_back(text);
+    if (quiet_) return;
+    if (style_ == DiagnosticStyle::kText) return put(fmt::format("EXPORT-WARNING: {}", text));
+    json::Buffer out;
+    json::raw(out, R"({"severity":"export-warning","text":)");
+    json::string(out, text);
+    json::raw(out, "}");
+    put(fmt::to_string(out));
+}
+
 void Console::line(std::string_view text) {
     if (!quiet_ && style_ == DiagnosticStyle::kText) put(std::string(text));
 }

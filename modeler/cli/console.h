@@ -20,6 +20,8 @@ public:
     // Without a place in a text.
     void error(std::string_view text) { say(Severity::kError, text); }
     void warning(std::string_view text) { say(Severity::kWarning, text); }
+    // What a file that is written should not have, in OpenSCAD's words for it.
+    void export_warning(std::string_view text);
     void note(std::string_view text) { say(Severity::kNote, text); }
     // A plain line ("Total rendering time ..."); silent when quiet.
     void line(std::string_view text);

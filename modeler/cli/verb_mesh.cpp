@@ -133,7 +133,7 @@ Result<void> write_one(Session& session, const std::vector<MeshPart>& parts, con
     const std::string materials = materials_path(output);
     const auto file = write_mesh(parts, output.format, std::filesystem::path(materials).filename().string());
     if (!file) return tl::unexpected<Error>(file.error());
-    for (const auto& warning : file->warnings) session.console.warning(warning);
+    for (const auto& warning : file->warnings) session.console.export_warning(warning);
     if (!file->materials.empty())
         if (auto written = write_output(materials, file->materials); !written) return written;
     if (auto written = write_output(output.path, file->bytes); !written) return written;
@@ -187,7 +187,7 @@ Result<MeshResult> make_mesh(Session& session, const Solid& solid) {
     if (mesh) mesh = reworked(session, std::move(*mesh), control);
     session.stats.add("seconds.mesh", watch.lap());
     if (!mesh) return mesh;
-    for (const auto& warning : mesh->warnings) session.console.warning(warning);
+    for (const auto& warning : mesh->warnings) session.console.export_warning(warning);
     session.stats.add("mesh.booleans", static_cast<double>(mesh->stats.booleans));
     session.stats.add("mesh.fallback", static_cast<double>(mesh->stats.fallbacks));
     session.stats.add("skip.mesh_equal", static_cast<double>(mesh->stats.reused));

@@ -170,14 +170,14 @@ Grid Grid::for_sizes(double of_result, double of_leaves) {
 
 std::int64_t Grid::snapped(double value_mm) const { return std::llround(value_mm * per_mm); }
 
-SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid, KnownPoints& known) {
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Placement& to_frame, const Grid& grid, KnownPoints& known) {
     SnappedLeaf out;
     PointIndex index(leaf.points.size());
     std::vector<std::uint32_t> renamed;
     renamed.reserve(leaf.points.size());
     for (const Vec3& p : leaf.points) {
-        const Vec3 q = apply_to_point(placement, p);
-        const GridPoint snapped{grid.snapped(q.x), grid.snapped(q.y), grid.snapped(q.z)};
+        const Vec3 q = apply_to_point(placement, p), r = to_frame.is_identity() ? q : apply_to_point(to_frame, q);
+        const GridPoint snapped{grid.snapped(r.x), grid.snapped(r.y), grid.snapped(r.z)};
         const std::size_t before = out.mesh.points.size();
         renamed.push_back(index.put(snapped, out.mesh.points));
         if (out.mesh.points.size() > before) known.add(snapped, q);

@@ -61,8 +61,8 @@ private:
     std::unique_ptr<Table> table_;
 };
 
-// The leaf after `placement`, on the grid: equal points merged, what has become nothing dropped, turned outward where the placement mirrors,
+// The leaf after `placement` and, into the axes of the grid, `to_frame`, a rotation; on the grid: equal points merged, what has become nothing dropped, turned outward where the placement mirrors,
 // tagged by exactly coplanar regions. Empty where nothing is left.
-SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Grid& grid, KnownPoints& known);
+SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Placement& to_frame, const Grid& grid, KnownPoints& known);
 
 }  // namespace whittle

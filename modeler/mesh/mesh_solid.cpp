@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "modeler/arrange/crossings.h"
 #include "modeler/mesh/combine.h"
+#include "modeler/mesh/grid_frame.h"
 #include "modeler/mesh/mesh.h"
 #include "modeler/mesh/settle.h"
 #include "modeler/mesh/tessellate.h"
@@ -89,19 +91,22 @@ struct Path {
 class Planner {
 public:
     Planner(const Solid& solid, const Use& root, const MeshOptions& options, MeshControl& control, const Bounds& room, MeshResult& result)
-        : solid_(solid), control_(control), room_(room), result_(result) {
+        : solid_(solid), control_(control), room_(room), result_(result), frame_(grid_frame(solid, root)), to_frame_(turned_back(frame_)) {
         const double diagonal = glm::length(room.hi - room.lo);
         rule_.angle_deg = options.angle_deg;
         rule_.largest = options.tolerance_mm.value_or(1e-3 * diagonal);
         if (options.tolerance_mm) rule_.share_of_radius = 0;
         // Unbounded leaves reach past the room, by less than a quarter of its diagonal; others may reach far out of it and be cut.
-        grid_ = Grid::for_sizes(largest_coordinate(room) + diagonal / 4, farthest_leaf(solid, root, Placement{}));
-        result_.grid_mm = 1 / grid_.per_mm;
+        // Along turned axes coordinates, and steps seen along the world's, may be longer by the root of three.
+        const double longer = frame_.is_identity() ? 1 : std::sqrt(3.0) * (1 + std::numeric_limits<double>::epsilon());
+        grid_ = Grid::for_sizes(longer * (largest_coordinate(room) + diagonal / 4), longer * farthest_leaf(solid, root, Placement{}));
+        result_.grid_mm = longer / grid_.per_mm;
     }
 
     const Plan& plan() const { return plan_; }
     const Grid& grid() const { return grid_; }
     const KnownPoints& known() const { return known_; }
+    const Placement& frame() const { return frame_; }
 
     Result<std::optional<Instance>> build(const Use& use, Path path) {
         if (use.node == kEmptyNode) return std::optional<Instance>{};
@@ -169,7 +174,7 @@ private:
     }
 
     Result<std::optional<Instance>> piece_of(const LeafMesh& mesh, const Path& path, std::uint32_t number, bool may_cross_itself) {
-        SnappedLeaf snapped = snap_leaf(mesh, path.placement, grid_, known_);
+        SnappedLeaf snapped = snap_leaf(mesh, path.placement, to_frame_, grid_, known_);
         if (snapped.mesh.triangles.empty()) return std::optional<Instance>{};
         if (const std::uint64_t open = count_open_edges(snapped.mesh.triangles); open > 0)
             return fail(Fault::kScene, placed_text(fmt::format("a solid is not closed: {} edges lack a neighbour", open), path.place));
@@ -210,6 +215,7 @@ private:
     MeshControl& control_;
     Bounds room_;
     MeshResult& result_;
+    Placement frame_, to_frame_;
     CurveRule rule_;
     Grid grid_;
     Plan plan_;
@@ -236,7 +242,7 @@ Vec3 in_mm(const Vec3& p, const GridPoint& by, const Planner& planner, Corners c
     const Vec3 whole{std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)};
     if (whole == p && corners == Corners::kAsMade)
         if (const Vec3* was = planner.known().find(sum({std::llround(p.x), std::llround(p.y), std::llround(p.z)}, by))) return *was;
-    return (p + Vec3{by[0], by[1], by[2]}) / planner.grid().per_mm;
+    return apply_to_point(planner.frame(), (p + Vec3{by[0], by[1], by[2]}) / planner.grid().per_mm);
 }
 
 // The box of a use at time 0.
