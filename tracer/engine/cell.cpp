@@ -19,48 +19,75 @@ IntervalSet<Event> set_of(const Crossings& c, ClassId id, bool starts_inside) {
     return r;
 }
 
-}  // namespace
+// The interval on which the ray is inside all half-spaces that make one interval on it.
+class Narrowing {
+public:
+    explicit Narrowing(RayContext& context) : context_(context) {}
 
-bool cell_events(const Leaf& leaf, RayContext& context, std::vector<Event>& out) {
-    const Program& program = context.program();
-    const Event far_before{-HUGE_VAL, 0, kNoClass, 0, false}, far_behind{HUGE_VAL, 0, kNoClass, 0, false};
-    Event lo = far_before, hi = far_behind;
-    bool more = false;  // some half-space is not one interval on the ray
-    Crossings c;
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
-        const HalfSpace h = program.half_spaces[leaf.first + i];
+    // False: the interval is empty.
+    bool add(const HalfSpace& h) {
+        Crossings c;
         const ClassId id = h.id();
-        context.crossings(id, c);
+        context_.crossings(id, c);
         const bool starts_inside = (c.first_sign < 0) != h.inverted();
-        if (c.count == 0) {
-            if (!starts_inside) return false;
-            continue;
-        }
+        if (c.count == 0) return starts_inside;
         if (c.count == 1) {
             const Event e = event_of(id, c, 0);
             if (starts_inside) {
-                if (context.compare(e, hi) < 0) hi = e;
-            } else if (context.compare(e, lo) > 0) {
+                if (context_.compare(e, hi) < 0) hi = e;
+            } else if (context_.compare(e, lo) > 0) {
                 lo = e;
             }
         } else if (c.count == 2 && !starts_inside) {
             const Event in = event_of(id, c, 0), behind = event_of(id, c, 1);
-            if (context.compare(in, lo) > 0) lo = in;
-            if (context.compare(behind, hi) < 0) hi = behind;
+            if (context_.compare(in, lo) > 0) lo = in;
+            if (context_.compare(behind, hi) < 0) hi = behind;
         } else {
             more = true;
-            continue;
+            return true;
         }
-        if (context.compare(lo, hi) >= 0) return false;
+        return context_.compare(lo, hi) < 0;
     }
-    if (!more) {
-        if (lo.t != -HUGE_VAL) out.push_back(lo);
-        if (hi.t != HUGE_VAL) out.push_back(hi);
-        return lo.t == -HUGE_VAL;
+
+    Event lo{-HUGE_VAL, 0, kNoClass, 0, false}, hi{HUGE_VAL, 0, kNoClass, 0, false};
+    bool more = false;  // some half-space is not one interval on the ray
+
+private:
+    RayContext& context_;
+};
+
+// All of a cell's half-spaces; of many planes those that the ray can feel. False: it is inside nowhere.
+bool narrow(const Leaf& leaf, RayContext& context, Narrowing& n) {
+    const Program& program = context.program();
+    std::uint32_t k = 0;
+    if (leaf.facets != Leaf::kNoFacets) {
+        const FacetTree& tree = program.facet_trees[leaf.facets];
+        FacetSearch& search = context.facet_search();
+        if (!search.run(program.facet_chunks, tree, facet_line(tree, context.ray().origin, context.ray().direction))) return false;
+        for (const std::uint32_t plane : search.found())
+            if (!n.add(program.half_spaces[leaf.first + plane])) return false;
+        k = tree.planes;
     }
-    IntervalSet<Event> rest{lo.t == -HUGE_VAL, {}};
-    if (!rest.inside_before) rest.borders.push_back(lo);
-    if (hi.t != HUGE_VAL) rest.borders.push_back(hi);
+    for (; k < leaf.count; ++k)
+        if (!n.add(program.half_spaces[leaf.first + k])) return false;
+    return true;
+}
+
+}  // namespace
+
+bool cell_events(const Leaf& leaf, RayContext& context, std::vector<Event>& out) {
+    const Program& program = context.program();
+    Narrowing n(context);
+    if (!narrow(leaf, context, n)) return false;
+    if (!n.more) {
+        if (n.lo.t != -HUGE_VAL) out.push_back(n.lo);
+        if (n.hi.t != HUGE_VAL) out.push_back(n.hi);
+        return n.lo.t == -HUGE_VAL;
+    }
+    IntervalSet<Event> rest{n.lo.t == -HUGE_VAL, {}};
+    if (!rest.inside_before) rest.borders.push_back(n.lo);
+    if (n.hi.t != HUGE_VAL) rest.borders.push_back(n.hi);
+    Crossings c;
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
         const HalfSpace h = program.half_spaces[leaf.first + i];
         if (is_plane(program.classes[h.id()].kind)) continue;

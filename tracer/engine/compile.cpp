@@ -3,11 +3,11 @@
 #include <map>
 #include <numeric>
 
-#include "csg/solid/predicates.h"
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
 #include "tracer/engine/space.h"
 #include "tracer/engine/tile.h"
+#include "tracer/engine/world_surface.h"
 
 namespace whittle {
 
@@ -36,24 +36,6 @@ void rank_matters(Program& program) {
         program.one_matter = program.one_matter && use.material == first->material;
     }
 }
-
-// Never turns right, and goes around once: it changes between left to right and right to left twice.
-bool is_convex(const std::vector<Vec2>& contour) {
-    const std::size_t n = contour.size();
-    const auto rises = [&](std::size_t i) {
-        const Vec2 a = contour[i % n], b = contour[(i + 1) % n];
-        return a.x < b.x || (a.x == b.x && a.y < b.y);
-    };
-    int changes = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (turn_of(contour[i], contour[(i + 1) % n], contour[(i + 2) % n]) < 0) return false;
-        changes += rises(i) != rises(i + 1);
-    }
-    return n >= 3 && changes == 2;
-}
-
-// Of an edge of a counter-clockwise contour: does its support, as Placer::edge_plane() makes it, have the outside where others have the inside?
-bool is_outside_of_its_support(Vec2 a, Vec2 b) { return a.x == b.x ? b.y < a.y : a.y == b.y ? a.x < b.x : b.x < a.x; }
 
 // All parts of an AND hold wherever it does, so whose matter is there is known beforehand.
 void describe_flat(Program& program) {
@@ -140,6 +122,34 @@ private:
         leaf.first = static_cast<std::uint32_t>(program_.half_spaces.size());
         leaf.count = static_cast<std::uint32_t>(sides.size());
         program_.half_spaces.insert(program_.half_spaces.end(), sides.begin(), sides.end());
+        add_facets(n.box, sides, leaf);
+    }
+
+    // A tree over the planes of a cell that has many.
+    void add_facets(const Bounds& box, const std::vector<HalfSpace>& sides, Leaf& leaf) {
+        if (sides.size() < kManyFacets) return;
+        const Vec3 centre = is_finite(box) ? 0.5 * (box.lo + box.hi) : Vec3(0);
+        std::vector<FacetPlane> planes;
+        for (const HalfSpace& h : sides) {
+            const Support& s = classes_.supports[h.id()];
+            if (!is_plane(s.kind)) break;
+            if (formula_.table.frames[s.frame].motion != 0) return;
+            const WorldSurface w = world_surface(s, formula_.table.frames[s.frame]);
+            const Real sign = h.inverted() ? -1 : 1;
+            FacetPlane p;
+            Real d = -w.c;
+            for (int i = 0; i < 3; ++i) {
+                const Real n = w.b[static_cast<std::size_t>(i)];
+                p.n[i] = static_cast<double>(sign * n);
+                d -= n * centre[i];
+            }
+            p.d = static_cast<double>(sign * d);
+            if (!std::isfinite(p.n.x + p.n.y + p.n.z + p.d)) return;
+            planes.push_back(p);
+        }
+        if (planes.size() < kManyFacets) return;
+        leaf.facets = static_cast<std::uint32_t>(program_.facet_trees.size());
+        program_.facet_trees.push_back(build_facet_tree(planes, centre, program_.facet_chunks));
     }
 
     static bool is_finite(const Bounds& b) { return std::isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z); }
@@ -228,12 +238,6 @@ private:
                 leaf.next.push_back(i + 1 < contour.size() ? static_cast<std::uint32_t>(leaf.points.size()) : start);
                 leaf.edges.push_back(p.edges[edge] == kNoSupport ? kNoClass : classes_.of[p.edges[edge]].id);
             }
-        }
-        leaf.convex = p.contours.size() == 1 && is_convex(p.contours[0]);
-        for (std::size_t i = 0; leaf.convex && i < p.edges.size(); ++i) {
-            if (p.edges[i] == kNoSupport) continue;
-            const ClassOfSupport c = classes_.of[p.edges[i]];
-            leaf.sides.push_back({(c.id << 1) | static_cast<std::uint32_t>(c.flipped != is_outside_of_its_support(leaf.points[i], leaf.points[leaf.next[i]]))});
         }
         leaf.own = own_planes(p.edges);
         program_.prisms.push_back(std::move(leaf));

@@ -23,6 +23,7 @@ struct Site {
 };
 
 inline constexpr std::uint32_t kNoUse = 0xFFFFFFFF;
+inline constexpr FormulaId kNoFormula = 0xFFFFFFFF;
 
 class FormulaBuilder {
 public:
@@ -50,6 +51,9 @@ private:
     FormulaId operator_shape(const shape::Rectangle& s, const Site& site);
     FormulaId operator_shape(const shape::Polygon& s, const Site& site);
     FormulaId faceted(NodeId id, const Site& site);
+    // A ball or frustum of facets as one cell; kNoFormula where its planes would not be told apart well.
+    template <class S>
+    FormulaId of_belts(const S& s, const Site& site);
     // Are the facets of the shape its true surface? False for a smooth twist, and where true arcs become chords.
     bool has_flat_faces(NodeId id) const;
     FormulaId prism(const std::vector<std::vector<Vec2>>& contours, const Site& site);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "csg/solid/facets.h"
 #include "tracer/engine/formula_builder.h"
 
 namespace whittle {
@@ -183,14 +182,11 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
             using S = std::decay_t<decltype(s)>;
             if constexpr (std::is_same_v<S, shape::Box>) {
                 return box(s.lo, s.hi, site);
-            } else if constexpr (std::is_same_v<S, shape::FacetedBall> || std::is_same_v<S, shape::Polyhedron>) {
+            } else if constexpr (std::is_same_v<S, shape::FacetedBall> || std::is_same_v<S, shape::FacetedFrustum>) {
+                const FormulaId belts = of_belts(s, site);
+                return belts == kNoFormula ? faceted(id, site) : belts;
+            } else if constexpr (std::is_same_v<S, shape::Polyhedron>) {
                 return faceted(id, site);
-            } else if constexpr (std::is_same_v<S, shape::FacetedFrustum>) {
-                if (s.r0 != s.r1) return faceted(id, site);
-                const Bounds slab{Vec3(-s.r0, -s.r0, s.z0), Vec3(s.r0, s.r0, s.z1)};
-                Placer p(out_, site.chain, site.motion, slab, Absorb::kAny);
-                const FormulaId ends = cell({p.axis_plane(2, s.z0, false), p.axis_plane(2, s.z1, true)}, p.root_box(), site);
-                return all_of({ends, prism({circle_points(s.r0, s.n)}, site)}, site);
             } else if constexpr (std::is_same_v<S, shape::Extrusion>) {
                 if (s.twist_deg == 0 && s.scale_top == Vec2(1)) return operator_shape(s, site);
                 return faceted(id, site);
@@ -315,74 +311,5 @@ FormulaId FormulaBuilder::operator_shape(const shape::Rectangle& s, const Site& 
 }
 
 FormulaId FormulaBuilder::operator_shape(const shape::Polygon& s, const Site& site) { return prism(*s.contours, site); }
-
-FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, const Site& site) {
-    Bounds around = everywhere();
-    around.lo = Vec3(HUGE_VAL), around.hi = Vec3(-HUGE_VAL);
-    for (const auto& contour : contours)
-        for (const Vec2& v : contour) around = {glm::min(around.lo, Vec3(v, 0)), glm::max(around.hi, Vec3(v, 0))};
-    Placer p(out_, site.chain, site.motion, around, Absorb::kAny);
-    PrismData data;
-    data.frame = p.frame();
-    data.axis = static_cast<std::uint8_t>(p.axis_of(2));
-    const int u = (data.axis + 1) % 3, v = (data.axis + 2) % 3;
-    for (const auto& contour : contours) {
-        std::vector<Vec2> moved;
-        for (const Vec2& at : contour) {
-            const Vec3 q = p.point(Vec3(at, 0));
-            moved.emplace_back(q[u], q[v]);
-        }
-        for (std::size_t i = 0; i < moved.size(); ++i) data.edges.push_back(p.edge_plane(data.axis, moved[i], moved[(i + 1) % moved.size()]));
-        data.contours.push_back(std::move(moved));
-    }
-    FormulaNode n;
-    n.kind = FormulaKind::kPrism;
-    n.negated = n.outside_value = site.negated;
-    n.box = everywhere();
-    n.use = site.use;
-    n.data = static_cast<std::uint32_t>(out_.prisms.size());
-    out_.prisms.push_back(std::move(data));
-    return push(std::move(n));
-}
-
-bool FormulaBuilder::has_flat_faces(NodeId id) const {
-    const Node& n = solid_.node(id);
-    if (const auto* c = std::get_if<Combination>(&n))
-        return std::all_of(c->operands.begin(), c->operands.end(), [&](const Use& u) { return has_flat_faces(u.node); });
-    const Shape& s = std::get<Shape>(n);
-    if (const auto* e = std::get_if<shape::Extrusion>(&s))
-        return (e->slices > 0 || (e->twist_deg == 0 && e->scale_top.x == e->scale_top.y)) && has_flat_faces(e->profile);
-    if (const auto* r = std::get_if<shape::Revolution>(&s)) return r->fragments > 0 && has_flat_faces(r->profile);
-    return !std::holds_alternative<shape::Disc>(s);
-}
-
-FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
-    Placer p(out_, site.chain, site.motion, solid_.bounds(id), Absorb::kExact);
-    const AxisMap& map = p.absorbed();
-    auto& list = triangles_[{id, map.from, {to_double(map.scale[0]), to_double(map.scale[1]), to_double(map.scale[2])}}];
-    if (!list) {
-        const Result<FacetList> facets = facets_of(solid_, id);
-        if (!facets) {
-            failure_ = facets.error().message;
-            return constant(false);
-        }
-        auto triangles = std::make_shared<TriangleList>();
-        for (const Vec3& v : facets->points) triangles->points.push_back(p.point(v));
-        for (const auto& f : facets->facets)
-            for (std::size_t i = 2; i < f.size(); ++i) triangles->triangles.push_back({f[0], f[i - 1], f[i]});
-        list = std::move(triangles);
-    }
-    if (list->triangles.empty()) return constant(site.negated);
-    MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
-    for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));
-    FormulaNode n;
-    n.kind = FormulaKind::kMesh;
-    n.negated = n.outside_value = site.negated;
-    n.box = p.root_box();
-    n.use = site.use;
-    n.data = static_cast<std::uint32_t>(out_.meshes.size());
-    out_.meshes.push_back(std::move(part));
-    return push(std::move(n));
-}
 
 }  // namespace whittle

@@ -282,4 +282,33 @@ SupportId Placer::facet(const Vec3& a, const Vec3& b, const Vec3& c) {
     return add(SupportKind::kPlanePoints, 0, {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}, false).support;
 }
 
+bool Placer::mirrors() const {
+    const bool odd = (map_.from[0] + 1) % 3 != map_.from[1];
+    return odd != ((map_.scale[0] < 0) != ((map_.scale[1] < 0) != (map_.scale[2] < 0)));
+}
+
+HalfSpaceRef Placer::edge_side(int axis, Vec2 a, Vec2 b) {
+    // The support's positive side is the right of the edge as edge_plane() writes it; of axis planes the side above.
+    const bool outside_is_negative = a.x == b.x ? b.y < a.y : a.y == b.y ? a.x < b.x : b.x < a.x;
+    return {edge_plane(axis, a, b), outside_is_negative};
+}
+
+HalfSpaceRef Placer::upright_side(Vec2 a, Vec2 b) {
+    const int axis = axis_of(2), u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const Vec3 from = point(Vec3(a, 0)), to = point(Vec3(b, 0));
+    const Vec2 p(from[u], from[v]), q(to[u], to[v]);
+    // Seen along the frame's axis, the shape's own axis may point the other way.
+    const bool flipped = mirrors() != (map_.scale[static_cast<std::size_t>(axis)] < 0);
+    return flipped ? edge_side(axis, q, p) : edge_side(axis, p, q);
+}
+
+HalfSpaceRef Placer::side(const Vec3& a, const Vec3& b, const Vec3& c) {
+    Vec3 p = point(a), q = point(b);
+    const Vec3 r = point(c);
+    if (mirrors()) std::swap(p, q);
+    const SupportId support = facet(p, q, r);
+    const Support& s = formula_.table.supports[support];
+    return {support, s.kind == SupportKind::kAxisPlane && glm::cross(q - p, r - p)[s.axis] < 0};
+}
+
 }  // namespace whittle

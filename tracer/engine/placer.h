@@ -29,6 +29,12 @@ public:
     HalfSpaceRef torus_core(Vec3 centre, double major, double minor);  // about z
     SupportId edge_plane(int axis, Vec2 a, Vec2 b);
     SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
+    // Inside on the left of a -> b, given in the frame's coordinates axis+1, axis+2. Requires: a != b.
+    HalfSpaceRef edge_side(int axis, Vec2 a, Vec2 b);
+    // The same along the shape's own third axis, in its own coordinates.
+    HalfSpaceRef upright_side(Vec2 a, Vec2 b);
+    // Outside where the corners, given in the shape's coordinates, turn left. Requires: they do not lie on a line.
+    HalfSpaceRef side(const Vec3& a, const Vec3& b, const Vec3& c);
 
     FrameId frame() const { return frame_; }
     // What of the chain the shape's numbers take in.
@@ -38,6 +44,8 @@ public:
     // The point in the frame's coordinates, each rounded once.
     Vec3 point(Vec3 p);
     double length(double r, int axis);
+    // Do the frame's coordinates turn as the shape's do not?
+    bool mirrors() const;
     // Around the shape, in the root frame, outward rounded.
     const Bounds& root_box() const { return root_box_; }
 

@@ -7,6 +7,7 @@
 
 #include "tracer/engine/bvh.h"
 #include "tracer/engine/engine.h"
+#include "tracer/engine/facet_tree.h"
 #include "tracer/engine/formula.h"
 #include "tracer/engine/identity.h"
 #include "tracer/engine/wide.h"
@@ -22,11 +23,13 @@ struct HalfSpace {
 
 // A leaf of the formula. kCell: half_spaces[first, first+count), planes first. kPrism, kMesh: data index in `first`.
 struct Leaf {
+    static constexpr std::uint32_t kNoFacets = 0xFFFFFFFF;
     FormulaKind kind = FormulaKind::kCell;
     bool negated = false;
     bool fills = true;  // its use is not subtracted
     std::uint32_t first = 0, count = 0;
     std::uint32_t use = 0;
+    std::uint32_t facets = kNoFacets;  // cells of many planes: their tree
 };
 
 // A leaf or a group.
@@ -62,8 +65,6 @@ struct PrismLeaf {
     std::vector<std::uint32_t> next;  // the vertex that ends the edge from this one
     std::vector<ClassId> edges;       // class of that edge; kNoClass where it has no length
     std::vector<ClassId> own;         // a class of the edge's own plane (identity.h); empty where all are those of `edges`
-    bool convex = false;              // one contour, convex and counter-clockwise: the intersection of
-    std::vector<HalfSpace> sides;     // these, an edge each
 };
 
 struct MeshLeaf {
@@ -80,7 +81,7 @@ struct MeshLeaf {
 struct ClassLabel {
     enum class Kind : std::uint8_t { kUse, kHeld, kDepends };
     Kind kind = Kind::kDepends;
-    bool of_facets = false;  // some mesh, or prism that is not convex, has it
+    bool of_facets = false;  // some mesh or prism has it
     std::uint32_t use = 0;
 };
 
@@ -118,6 +119,8 @@ public:
     std::vector<BoxNode> nodes;
     std::vector<WideNode> wide;   // the same hierarchies for single rays; their items are numbers of refs
     std::vector<SpaceNode> space;  // root first; empty where cells do not pay
+    std::vector<FacetTree> facet_trees;
+    std::vector<FacetChunk> facet_chunks;
     std::vector<PrismLeaf> prisms;
     std::vector<MeshLeaf> meshes;
     std::vector<LeafUse> uses;

@@ -56,6 +56,7 @@ public:
     }
 
     EngineCounters& counters() { return *counters_; }
+    FacetSearch& facet_search() { return facet_search_; }
 
 private:
     struct Exact {
@@ -85,6 +86,7 @@ private:
     std::vector<FrameRay> frame_rays_;
     std::vector<Frame> moved_;  // frames of motion groups, at the ray's time
     std::vector<Exact> exact_;
+    FacetSearch facet_search_;
 };
 
 }  // namespace whittle

@@ -347,7 +347,7 @@ void describe_for_packets(Program& program) {
             for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
         if (leaf.kind == FormulaKind::kPrism)
             for (const auto* classes : {&program.prisms[leaf.first].edges, &program.prisms[leaf.first].own})
-                for (const ClassId id : *classes) meet(id, i, program.prisms[leaf.first].convex);
+                for (const ClassId id : *classes) meet(id, i, false);
         if (leaf.kind == FormulaKind::kMesh)
             for (const auto* classes : {&program.meshes[leaf.first].facets, &program.meshes[leaf.first].own})
                 for (const ClassId id : *classes) meet(id, i, false);

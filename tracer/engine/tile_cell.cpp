@@ -16,8 +16,6 @@ constexpr double kLeastCosine = 0x1p-8;
 constexpr double kLeastSlope = 0x1p-9;
 constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
 constexpr double kMostRoundError = 0x1p-24; // rays that have little in common: all grazing angles at once, from all distances
-constexpr double kSnapDoubt = 0x1p-39;      // far over the snap, relative
-constexpr std::size_t kMostEdges = 512;    // of a prism that packets meet
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
 
 double largest(double lo, double hi) { return std::max(std::abs(lo), std::abs(hi)); }
@@ -121,24 +119,21 @@ public:
         return add_round(t, line, centre, s.p[2]);
     }
 
-    // The edges of a convex prism that may matter. Its own edges decide by their ends, these by their planes, which the snap may have moved apart.
-    bool add(const PrismLeaf& prism) {
-        if (!prism.convex || program_.frames[prism.frame].motion != 0) return false;
-        const TileLine& line = line_of(prism.frame);
-        std::array<Range, kMostEdges> ranges;
-        const std::size_t n = prism.points.size();
-        if (n > kMostEdges || prism.sides.size() != n) return false;
-        double last_in = -HUGE_VAL, first_out = HUGE_VAL;
-        for (std::size_t i = 0; i < n; ++i) {
-            ranges[i] = edge_range(prism, line, i);
-            if (ranges[i].entering) last_in = std::max(last_in, ranges[i].t.lo);
-            if (ranges[i].leaving) first_out = std::min(first_out, ranges[i].t.hi);
+    // The sides of a cell; of many planes those that the tile can feel. False: some kind that packets do not know. `met`: false if the tile misses the cell.
+    bool add(const Leaf& leaf, bool& met) {
+        std::uint32_t k = 0;
+        if (leaf.facets != Leaf::kNoFacets) {
+            const FacetTree& tree = program_.facet_trees[leaf.facets];
+            const TileLine& root = scope_.root;
+            FacetSearch search;
+            met = search.run(program_.facet_chunks, tree, facet_lines(tree, root.o_lo, root.o_hi, root.d_lo, root.d_hi));
+            if (!met) return true;
+            for (const std::uint32_t plane : search.found())
+                if (!add(program_.half_spaces[leaf.first + plane])) return false;
+            k = tree.planes;
         }
-        doubt_ = kSnapDoubt * scope_.horizon;
-        for (std::size_t i = 0; i < n; ++i) {
-            if ((ranges[i].entering && ranges[i].t.hi < last_in) || (ranges[i].leaving && ranges[i].t.lo > first_out)) continue;
-            if (!add(prism.sides[i])) return false;
-        }
+        for (; k < leaf.count; ++k)
+            if (!add(program_.half_spaces[leaf.first + k])) return false;
         return true;
     }
 
@@ -169,26 +164,6 @@ private:
         }
         return local_;
     }
-
-    // Where the tile's rays meet the line of an edge, in the plane across the prism, with room for the snap.
-    Range edge_range(const PrismLeaf& prism, const TileLine& line, std::size_t edge) const {
-        const std::size_t i = (prism.axis + 1u) % 3, j = (prism.axis + 2u) % 3;
-        const Vec2 a = prism.points[edge], b = prism.points[prism.next[edge]];
-        const double ni = b.y - a.y, nj = a.x - b.x;
-        const Interval x = times(ni, {line.o_lo[i] - a.x, line.o_hi[i] - a.x}), y = times(nj, {line.o_lo[j] - a.y, line.o_hi[j] - a.y});
-        const Interval p = times(ni, {line.d_lo[i], line.d_hi[i]}), q = times(nj, {line.d_lo[j], line.d_hi[j]});
-        const double most = largest(x.lo, x.hi) + largest(y.lo, y.hi) + (std::abs(ni) + std::abs(nj)) * (std::abs(a.x) + std::abs(a.y));
-        const double room = kSnapDoubt * most, turn = kSnapDoubt * (largest(p.lo, p.hi) + largest(q.lo, q.hi));
-        const Interval v{x.lo + y.lo - room, x.hi + y.hi + room}, s{p.lo + q.lo - turn, p.hi + q.hi + turn};
-        Range range;
-        if (!(s.lo > 0 || s.hi < 0)) return range;
-        range.leaving = s.lo > 0;
-        range.entering = !range.leaving;
-        range.t = quotient({-v.hi, -v.lo}, s);
-        return range;
-    }
-
-    static Interval times(double k, const Interval& a) { return k < 0 ? Interval{k * a.hi, k * a.lo} : Interval{k * a.lo, k * a.hi}; }
 
     bool add_axis_plane(TileSurface& t) {
         t.value = t.support->p[0];
@@ -226,6 +201,7 @@ private:
         const double off = 1.5 * (ev + scope_.horizon * es);
         t.least_slope = std::max({smallest(s.lo, s.hi), kLeastSlope * largest(s.lo, s.hi), off / (kMostError * scope_.horizon)});
         if (!(t.least_slope > 4 * es)) return false;
+        t.clear = ((t.least_slope + es) * scope_.horizon + 2 * ev) * kRoom;
         Range range;
         if (smallest(s.lo, s.hi) >= t.least_slope) {
             range.leaving = (s.lo > 0) != t.inverted;
@@ -250,7 +226,6 @@ private:
     }
 
     void take(const TileSurface& t, Range range, double error) {
-        error += doubt_;
         surfaces_.push_back(t);
         error_ = std::max(error_, error);
         // Two crossings in this order are certain where their ranges, with the errors of both, lie apart.
@@ -271,7 +246,6 @@ private:
     std::size_t ranged_ = 0;
     TileLine local_;
     FrameId in_local_ = 0;
-    double doubt_ = 0;  // on top of every error
     double error_ = 0, last_in_ = -HUGE_VAL, first_out_ = HUGE_VAL;
 };
 
@@ -318,9 +292,8 @@ bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf,
     cell.first = static_cast<std::uint32_t>(surfaces.size());
     CellFolder folder(program, scope, surfaces);
     bool met = true;
-    cell.known = leaf.kind == FormulaKind::kCell || (leaf.kind == FormulaKind::kPrism && folder.add(program.prisms[leaf.first]));
-    for (std::uint32_t k = 0; leaf.kind == FormulaKind::kCell && cell.known && k < leaf.count; ++k) cell.known = folder.add(program.half_spaces[leaf.first + k]);
-    if (cell.known) {
+    cell.known = leaf.kind == FormulaKind::kCell && folder.add(leaf, met);
+    if (cell.known && met) {
         met = folder.finish(near, far);
         error = std::max(error, folder.error());
     }

@@ -44,7 +44,8 @@ struct TileSurface {
     FrameId frame = 0;
     std::uint64_t id = 0;     // class << 1
     double value = 0;         // axis planes of the root frame
-    double least_slope = 0;   // kPlane: lanes below are undecided
+    double least_slope = 0;   // kPlane: lanes below are undecided,
+    double clear = HUGE_VAL;  // unless they start further than this from it: then none gets there
     const Support* support = nullptr;
     RoundLimits round;
 };
