@@ -51,6 +51,7 @@ struct RenderRequest {
     std::vector<std::array<double, 4>> clips;  // n.p <= d is kept
     bool watch = false;
     bool resume = false;        // go on from the checkpoint
+    RenderRequest() { options.noise.reset(); }  // the integrator's own
 };
 
 struct MeshRequest {

@@ -109,7 +109,8 @@ Result<void> settle(Session& session, const Checkpoint& checkpoint, const Render
 Result<void> write_picture(Session& session, ImageFiles& files, const RenderResult& drawn, const Output& output) {
     PictureOptions picture = session.request.render.picture;
     picture.tone.exposure += drawn.exposure;
-    const auto image = image_of(drawn.film, output.format, picture);
+    const auto& region = session.request.render.options.region;
+    const auto image = image_of(region ? cropped(drawn.film, *region) : drawn.film, output.format, picture);
     if (!image) return tl::unexpected<Error>(image.error());
     const auto bytes = files.encode(*image, output.format);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
@@ -120,12 +121,17 @@ std::string integrator_and_reason(const RenderResult& drawn) {
     return drawn.reason.empty() ? std::string(integrator_name(drawn.integrator)) : fmt::format("{} ({})", integrator_name(drawn.integrator), drawn.reason);
 }
 
+std::string samples_of_pixels(const RenderResult& drawn) {
+    if (drawn.samples_finished == drawn.samples_most) return fmt::format("{}", drawn.samples_finished);
+    return fmt::format("{} to {}", drawn.samples_finished, drawn.samples_most);
+}
+
 void answer(Session& session, const std::vector<Output>& outputs, const RenderResult& drawn) {
     for (const auto& output : outputs) {
         if (session.request.common.json)
             fmt::print("{}\n", json::Object().string("file", output.path).string("integrator", std::string(integrator_name(drawn.integrator))).number("seconds", drawn.seconds).strings("warnings", session.console.warnings()).str());
         else if (output.path != "-")
-            session.console.line(fmt::format("{}: {} x {}, {} samples, {}, {:.2f} s", output.path, drawn.film.width, drawn.film.height, drawn.samples_finished,
+            session.console.line(fmt::format("{}: {} x {}, {} samples, {}, {:.2f} s", output.path, drawn.film.width, drawn.film.height, samples_of_pixels(drawn),
                                              integrator_and_reason(drawn), drawn.seconds));
     }
 }

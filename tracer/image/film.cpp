@@ -66,17 +66,30 @@ std::size_t Film::missing_pixels() const {
     return missing;
 }
 
+namespace {
+
+void copy_pixel(const Film& from, std::size_t i, Film& to) {
+    to.pixels[i] = from.pixels[i];
+    for (std::size_t k = 0; k < kFacts.size(); ++k) {
+        const std::size_t channels = static_cast<std::size_t>(kFacts[k].channels);
+        if (to.planes[k].empty()) continue;
+        for (std::size_t c = 0; c < channels; ++c) to.planes[k][i * channels + c] = from.planes[k][i * channels + c];
+    }
+}
+
+}  // namespace
+
+Film cropped(const Film& film, TileRegion region) {
+    Film part(film.width, film.height, film.aovs);
+    for (int y = region.y; y < region.y + region.height; ++y)
+        for (int x = region.x; x < region.x + region.width; ++x) copy_pixel(film, film.index(x, y), part);
+    return part;
+}
+
 void merge(Film& whole, const Film& part) {
     assert(whole.width == part.width && whole.height == part.height && whole.aovs == part.aovs);
-    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
-        if (whole.pixels[i].samples != 0 || part.pixels[i].samples == 0) continue;
-        whole.pixels[i] = part.pixels[i];
-        for (std::size_t k = 0; k < kFacts.size(); ++k) {
-            const std::size_t channels = static_cast<std::size_t>(kFacts[k].channels);
-            if (whole.planes[k].empty()) continue;
-            for (std::size_t c = 0; c < channels; ++c) whole.planes[k][i * channels + c] = part.planes[k][i * channels + c];
-        }
-    }
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+        if (whole.pixels[i].samples == 0 && part.pixels[i].samples != 0) copy_pixel(part, i, whole);
 }
 
 }  // namespace whittle

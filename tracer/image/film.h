@@ -65,6 +65,9 @@ struct Film {
     std::size_t missing_pixels() const;
 };
 
+// The same with no samples outside of the region. Requires: that lies in the picture.
+Film cropped(const Film& film, TileRegion region);
+
 // Puts the pixels of `part` that hold samples where `whole` holds none. Requires: equal sizes and planes.
 void merge(Film& whole, const Film& part);
 

@@ -13,7 +13,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "tracer/image/tone.h"
+#include "tracer/light/blocks.h"
 #include "tracer/light/light_pass.h"
 #include "tracer/light/stage.h"
 
@@ -21,8 +21,10 @@ namespace whittle {
 
 namespace {
 
-constexpr int kTileSize = 16;
 constexpr double kSecondsBetweenReports = 0.1;
+
+// After one sample a pixel, which is a picture already.
+constexpr int kFirstSamples = 4;
 
 // After so many tiles the threads wait for each other, so that the film can be kept as it is.
 constexpr std::size_t kTilesBetweenLooks = 512;
@@ -37,25 +39,11 @@ struct Worker {
     RenderCounters counters;
 };
 
-// Largest estimated standard error of display luminance (sRGB curve) in a tile.
-double tile_error(const Film& film, TileRegion tile) {
-    double worst = 0;
-    for (int y = tile.y; y < tile.y + tile.height; ++y)
-        for (int x = tile.x; x < tile.x + tile.width; ++x) {
-            const std::size_t i = film.index(x, y);
-            const double mean = luminance(film.color(i)), error = std::sqrt(film.variance(i));
-            worst = std::max(worst, linear_to_srgb(std::min(1.0, mean + error)) - linear_to_srgb(std::min(1.0, mean)));
-        }
-    return worst;
-}
-
 class Rendering {
 public:
-    Rendering(const Stage& stage, RenderControl& control, Film film)
-        : stage_(stage), control_(control), film_(std::move(film)), tiles_(tiles_of(stage.options)), done_(tiles_.size(), 0) {
-        for (std::size_t i = 0; i < tiles_.size(); ++i) done_[i] = static_cast<int>(film_.pixels[film_.index(tiles_[i].x, tiles_[i].y)].samples);
-        counted_ = done_;
-        for (int n : done_) samples_before_ += n;
+    Rendering(const Stage& stage, RenderControl& control, Film film) : stage_(stage), control_(control), film_(std::move(film)), tiles_(tiles_of(stage.options)) {
+        for (const TileRegion& tile : tiles_) counted_.push_back(static_cast<int>(film_.pixels[film_.index(tile.x, tile.y)].samples));
+        for (int n : counted_) samples_before_ += n;
     }
 
     RenderResult run() {
@@ -63,10 +51,11 @@ public:
         bool first = true;
         // Light passes are made for a loop over the tiles and then forgotten.
         const int most = stage_.light_passes ? LightPasses::kKept : samples;
-        for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < 4 ? goal + 1 : goal + std::min(goal / 2, most))) {
+        for (int goal = 1; !tiles_.empty(); goal = std::min(samples, goal < kFirstSamples ? kFirstSamples : goal + std::min(goal / 2, most))) {
             pass(goal, first);
             first = false;
-            if (goal >= samples || stopped()) break;
+            // What is drawn on may make what is beside it draw on.
+            if ((goal >= samples && (stage_.noise == 0 || least_begin(goal) >= goal)) || stopped()) break;
         }
         return finished();
     }
@@ -78,7 +67,7 @@ private:
 
     // Brings every tile that still needs it to `goal` samples. The first pass goes on when asked to stop: a picture is whole or nothing.
     void pass(int goal, bool first) {
-        if (stage_.light_passes) stage_.light_passes->make(*std::min_element(done_.begin(), done_.end()), goal);
+        if (stage_.light_passes) stage_.light_passes->make(least_begin(goal), goal);
         const std::size_t together = control_.keep ? kTilesBetweenLooks : tiles_.size();
         for (std::size_t begin = 0; begin < tiles_.size(); begin += together) {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, std::min(begin + together, tiles_.size()), 1), [&](const tbb::blocked_range<std::size_t>& range) {
@@ -99,22 +88,23 @@ private:
         control_.keep(film_);
     }
 
-    void draw(std::size_t i, int goal, Worker& worker) {
-        const int from = done_[i];
-        if (from < goal && !calm(i)) {
-            if (!render_tile(stage_, tiles_[i], from, goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
-            done_[i] = goal;
+    BlockSamples begins(std::size_t i, int goal) const { return begins_of(film_, tiles_[i], goal, enough_); }
+
+    int least_begin(int goal) const {
+        int least = goal;
+        for (std::size_t i = 0; i < tiles_.size(); ++i) {
+            const BlockSamples from = begins(i, goal);
+            least = std::min(least, *std::min_element(from.begin(), from.end()));
         }
+        return least;
+    }
+
+    void draw(std::size_t i, int goal, Worker& worker) {
+        if (!render_tile(stage_, tiles_[i], begins(i, goal), goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
         if (goal <= counted_[i]) return;
         samples_counted_ += goal - counted_[i];
         counted_[i] = goal;
         report();
-    }
-
-    // Good enough by --noise. A tile needs some samples before its estimate means anything.
-    bool calm(std::size_t i) const {
-        constexpr int kLeastSamples = 8;
-        return stage_.options.noise > 0 && done_[i] >= kLeastSamples && tile_error(film_, tiles_[i]) < stage_.options.noise;
     }
 
     void report() {
@@ -128,10 +118,16 @@ private:
         control_.progress({(before + counted) / all, now, now * (all - before - counted) / counted});
     }
 
-    bool complete() const {
-        for (std::size_t i = 0; i < tiles_.size(); ++i)
-            if (done_[i] < stage_.options.samples && !calm(i)) return false;
-        return true;
+    void count_samples(RenderResult& r) const {
+        r.complete = least_begin(stage_.options.samples) == stage_.options.samples;
+        r.samples_finished = tiles_.empty() ? 0 : stage_.options.samples;
+        for (const TileRegion& tile : tiles_)
+            for (int y = tile.y; y < tile.y + tile.height; ++y)
+                for (int x = tile.x; x < tile.x + tile.width; ++x) {
+                    const int samples = static_cast<int>(film_.pixels[film_.index(x, y)].samples);
+                    r.samples_finished = std::min(r.samples_finished, samples);
+                    r.samples_most = std::max(r.samples_most, samples);
+                }
     }
 
     RenderResult finished() {
@@ -143,9 +139,8 @@ private:
         }
         if (std::vector<float>& plane = film_.planes[static_cast<std::size_t>(Aov::kVariance)]; !plane.empty())
             for (std::size_t i = 0; i < film_.pixels.size(); ++i) plane[i] = static_cast<float>(film_.variance(i));
-        r.samples_finished = tiles_.empty() ? 0 : *std::min_element(done_.begin(), done_.end());
         r.interrupted = control_.stop || control_.abort;
-        r.complete = complete();
+        count_samples(r);
         r.film = std::move(film_);
         r.exposure = stage_.lens.exposure;
         r.integrator = stage_.integrator;
@@ -158,11 +153,13 @@ private:
     }
 
     const Stage& stage_;
+    // A tile needs some samples before its estimate means anything: fewer where only places in the pixel are drawn (a line through the tile a tenth of a
+    // pixel wide is then missed once in 600).
+    const GoodEnough enough_{stage_.noise, stage_.distributes() ? 8 : kFirstSamples};
     RenderControl& control_;
     Film film_;
     std::vector<TileRegion> tiles_;
-    std::vector<int> done_;     // samples a tile has
-    std::vector<int> counted_;  // those and what it was spared, for the progress
+    std::vector<int> counted_;  // samples a tile has, or was spared, for the progress
     tbb::enumerable_thread_specific<Worker> workers_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::int64_t samples_before_ = 0;
@@ -210,12 +207,11 @@ std::vector<TileRegion> tiles_of(const RenderOptions& options) {
     const TileRegion all = options.region.value_or(TileRegion{0, 0, options.width, options.height});
     std::vector<TileRegion> tiles;
     int number = 0;
-    // The grid is the picture's, not the region's: a tile's bytes never depend on which region asked for it.
-    for (int y = all.y / kTileSize * kTileSize; y < all.y + all.height; y += kTileSize)
-        for (int x = all.x / kTileSize * kTileSize; x < all.x + all.width; x += kTileSize) {
+    // The grid is the picture's, and tiles are whole: a tile's bytes never depend on which region asked for it.
+    for (int y = all.y / kTileSide * kTileSide; y < all.y + all.height; y += kTileSide)
+        for (int x = all.x / kTileSide * kTileSide; x < all.x + all.width; x += kTileSide) {
             if (number++ % options.shard.count != options.shard.index) continue;
-            const int x0 = std::max(x, all.x), y0 = std::max(y, all.y);
-            tiles.push_back({x0, y0, std::min(x + kTileSize, all.x + all.width) - x0, std::min(y + kTileSize, all.y + all.height) - y0});
+            tiles.push_back({x, y, std::min(kTileSide, options.width - x), std::min(kTileSide, options.height - y)});
         }
     return tiles;
 }

@@ -1,10 +1,11 @@
 // render.h — rendering: a pure function of (program, scene, options, tile) to pixels, and the loop around it.
 //
-// render_tile() continues the sums of one tile from sample `begin` to `end`; everything it reads is immutable, everything it writes is handed in.
+// render_tile() continues the sums of one tile up to sample `end`; everything it reads is immutable, everything it writes is handed in.
 // render() calls it over tiles on all cores, in passes of doubling sample counts, so that it can be stopped, watched, resumed and
 // shared out. The bytes depend on neither the number of threads nor the passes.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,9 @@ enum class Look { kShaded, kXray };
 // A part of the tiles: those whose number leaves the remainder `index` when divided by `count`.
 struct Shard { int index = 0, count = 1; };
 
+// A quarter of a step of eight bits.
+inline constexpr double kOwnNoise = 0x1p-10;
+
 // Requires: width, height, samples, max_depth, light_samples >= 1; 0 <= shard.index < shard.count; region inside the picture.
 struct RenderOptions {
     int width = 512, height = 512;
@@ -52,7 +56,8 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     std::optional<TileRegion> region;    // --tile
     Shard shard;
-    double noise = 0;                    // stop a tile when its estimated error (of display luminance) is below; 0: never
+    // Stop a tile when its estimated error (of display luminance) is below; 0: never. None: kOwnNoise where only places in the pixel are drawn, else never.
+    std::optional<double> noise = 0.0;
     double stop_after_s = 0;             // stop after this time, but never within the first pass; 0: never
     int threads = 0;                     // 0: all cores
     std::vector<std::string> disabled_passes;
@@ -105,6 +110,7 @@ struct RenderResult {
     Integrator integrator = Integrator::kPreview;  // the one used
     std::string reason;                            // why, where the choice was left to us
     int samples_finished = 0;                      // of every pixel
+    int samples_most = 0;                          // of some pixel: others were good enough with fewer
     bool interrupted = false;
     bool complete = false;                         // every tile has its samples, or is good enough
     double seconds = 0;
@@ -118,15 +124,16 @@ class Stage;
 // kCommand: a camera of neither 6 nor 7 numbers, options out of range, an integrator that is not there.
 Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options);
 
-// Adds samples begin <= i < end to the pixels of `tile`, and its planes when begin is 0. `film` is touched in `tile` only. Returns false where `abort`
-// became true: the tile is then as it was.
-bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film,
+// Adds samples begin <= i < end to the pixels of `tile`, `begin` being its 4 x 4 block's (blocks.h), and its planes where that is 0. `film` is touched in
+// `tile` only. Returns false where `abort` became true: the tile is then as it was.
+bool render_tile(const Stage& stage, TileRegion tile, const std::array<int, 16>& begins, int end, Scratch& scratch, RenderCounters& counters, Film& film,
                  const std::atomic<bool>* abort = nullptr);
 
-// The tiles of the picture (or of its region and shard), in the order they are drawn.
+// The tiles of the picture (or of its shard, or those that its region touches), in the order they are drawn.
 std::vector<TileRegion> tiles_of(const RenderOptions& options);
 
-// The whole picture. `resume`: a film of the same options whose sums are continued.
+// The whole picture; of a region all tiles that it touches, since whether a pixel is good enough depends on those beside it. `resume`: a film of the same
+// options whose sums are continued.
 Result<RenderResult> render(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options, RenderControl& control,
                             const Film* resume = nullptr);
 

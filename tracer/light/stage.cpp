@@ -84,7 +84,7 @@ Choice cheapest(const StageNeeds& needs, bool studio) {
     if (needs.spectrum) return {Integrator::kDistributed, "matter disperses light"};
     if (needs.glossy) return {Integrator::kDistributed, "mirrors or clear matter are rough"};
     if (needs.soft_lights && !studio) return {Integrator::kDistributed, "lights have a size"};
-    return {Integrator::kWhitted, "all mirrors are sharp and all shadows hard"};
+    return {Integrator::kWhitted, studio ? "all mirrors are sharp" : "all mirrors are sharp and all shadows hard"};
 }
 
 // Scales that are no number or negative are darkness; those without end are very bright.
@@ -196,6 +196,7 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     const Choice choice = cheapest(stage->needs, studio);
     stage->integrator = options.integrator == Integrator::kAuto ? choice.integrator : options.integrator;
     if (options.integrator == Integrator::kAuto) stage->reason = choice.reason;
+    stage->noise = options.noise.value_or(stage->distributes() ? 0 : kOwnNoise);
     need_in_vain(options.disabled_passes, stage->needs);
     drop_lamps(*stage);
     if ((stage->needs.spectrum || is_disabled(options.disabled_passes, "spectrum")) && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();

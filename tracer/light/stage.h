@@ -37,6 +37,7 @@ public:
     std::shared_ptr<const Program> program;
     RenderOptions options;
     Integrator integrator = Integrator::kWhitted;
+    double noise = 0;  // of a tile that is good enough; 0: none is
     World world;
     std::vector<Surface> surfaces;  // by leaf use of the whole program, for planes
     std::vector<LightSource> lights;

@@ -11,6 +11,7 @@
 #include <sleef.h>
 
 #include "tracer/image/tone.h"
+#include "tracer/light/blocks.h"
 #include "tracer/light/edges.h"
 #include "tracer/light/integrator.h"
 #include "tracer/light/planes.h"
@@ -22,9 +23,6 @@ namespace {
 
 // What is left of the light on a drawn edge.
 constexpr double kEdgeShare = 0.06;
-
-// Side of the blocks that rays are ordered by: what lies together in the picture fills the lanes of a packet.
-constexpr int kBlock = 4;
 
 constexpr std::size_t kMostRays = MetTogether::kMost;
 
@@ -44,12 +42,15 @@ void add_sample(const CameraLight& light, double weight, PixelSums& sums) {
 
 double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }
 
-std::vector<PixelPlace> pixels_by_blocks(TileRegion tile) {
+// Those of blocks that go on from `begin`.
+std::vector<PixelPlace> pixels_of(TileRegion tile, const BlockSamples& begins, int begin) {
     std::vector<PixelPlace> pixels;
-    for (int by = 0; by < tile.height; by += kBlock)
-        for (int bx = 0; bx < tile.width; bx += kBlock)
-            for (int y = by; y < std::min(by + kBlock, tile.height); ++y)
-                for (int x = bx; x < std::min(bx + kBlock, tile.width); ++x) pixels.push_back({tile.x + x, tile.y + y});
+    for (std::size_t b = 0; b < begins.size(); ++b) {
+        if (begins[b] != begin) continue;
+        const TileRegion block = block_in(tile, static_cast<int>(b));
+        for (int y = block.y; y < block.y + block.height; ++y)
+            for (int x = block.x; x < block.x + block.width; ++x) pixels.push_back({x, y});
+    }
     return pixels;
 }
 
@@ -133,17 +134,26 @@ private:
     std::array<bool, kMostRays> edge_;
 };
 
-void copy_pixels(const Film& film, const std::vector<PixelPlace>& pixels, std::vector<PixelSums>& kept) {
-    for (const PixelPlace& p : pixels) kept.push_back(film.pixels[film.index(p.x, p.y)]);
-}
+// What a tile's pixels hold, to be put back.
+class Kept {
+public:
+    Kept(const Film& film, TileRegion tile) : tile_(tile) {
+        for (int y = tile.y; y < tile.y + tile.height; ++y)
+            for (int x = tile.x; x < tile.x + tile.width; ++x) pixels_.push_back(film.pixels[film.index(x, y)]);
+    }
+    void put_back(Film& film) const {
+        std::size_t k = 0;
+        for (int y = tile_.y; y < tile_.y + tile_.height; ++y)
+            for (int x = tile_.x; x < tile_.x + tile_.width; ++x) film.pixels[film.index(x, y)] = pixels_[k++];
+    }
 
-}  // namespace
+private:
+    TileRegion tile_;
+    std::vector<PixelSums> pixels_;
+};
 
-bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratch& scratch, RenderCounters& counters, Film& film, const std::atomic<bool>* abort) {
-    const std::vector<PixelPlace> pixels = pixels_by_blocks(tile);
-    std::vector<PixelSums> kept;
-    copy_pixels(film, pixels, kept);
-    const auto work = std::make_unique<TileWork>(stage, scratch, counters);
+// Samples begin <= i < end of some pixels. False: aborted.
+bool draw_pixels(const Stage& stage, const std::vector<PixelPlace>& pixels, int begin, int end, TileWork& work, Scratch& scratch, Film& film, const std::atomic<bool>* abort) {
     std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
     // What a pixel costs is seen only where it is drawn alone.
     const std::size_t together = cost.empty() ? kMostRays : 1;
@@ -151,14 +161,29 @@ bool render_tile(const Stage& stage, TileRegion tile, int begin, int end, Scratc
         const std::span<const PixelPlace> group(pixels.data() + at, std::min(together, pixels.size() - at));
         const double before = work_done(scratch);
         for (int i = begin; i < end; ++i) {
-            if (abort && abort->load(std::memory_order_relaxed)) {
-                for (std::size_t k = 0; k < pixels.size(); ++k) film.pixels[film.index(pixels[k].x, pixels[k].y)] = kept[k];
-                return false;
-            }
-            work->draw(group, i, film);
+            if (abort && abort->load(std::memory_order_relaxed)) return false;
+            work.draw(group, i, film);
         }
         if (!cost.empty()) cost[film.index(group[0].x, group[0].y)] += static_cast<float>(work_done(scratch) - before);
         if (film.aovs != 0 && begin == 0) fill_planes(stage, group.data(), static_cast<int>(group.size()), scratch, film);
+    }
+    return true;
+}
+
+}  // namespace
+
+bool render_tile(const Stage& stage, TileRegion tile, const BlockSamples& begins, int end, Scratch& scratch, RenderCounters& counters, Film& film,
+                 const std::atomic<bool>* abort) {
+    BlockSamples apart = begins;
+    std::sort(apart.begin(), apart.end());
+    const auto last = std::unique(apart.begin(), apart.end());
+    if (apart[0] >= end) return true;
+    const Kept kept(film, tile);
+    const auto work = std::make_unique<TileWork>(stage, scratch, counters);
+    for (auto begin = apart.begin(); begin != last && *begin < end; ++begin) {
+        if (draw_pixels(stage, pixels_of(tile, begins, *begin), *begin, end, *work, scratch, film, abort)) continue;
+        kept.put_back(film);
+        return false;
     }
     return true;
 }
