@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -20,12 +19,6 @@ namespace whittle::bench {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-double process_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct QuadInterval {
     Quad in, out;  // empty where out <= in

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <fstream>
 #include <vector>
 
@@ -18,12 +17,6 @@
 namespace whittle::bench {
 
 namespace {
-
-double process_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // A plate less `pins` turned pins in rows of 100, the first of radius `first`; seen from `distance`.
 std::string text_of(int pins, double first, double distance) {

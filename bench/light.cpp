@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "bench/light_plot.h"
+#include "bench/machine.h"
 #include "csg/eval/canonicalise.h"
 #include "csg/eval/evaluate.h"
 #include "modeler/io/files.h"
@@ -46,12 +46,6 @@ std::optional<Staged> staged(const std::string& path) {
     return scene;
 }
 
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 struct Drawn {
     std::vector<Vec3> pixels;  // clipped at white
     double seconds = 0;
@@ -71,13 +65,13 @@ std::optional<Drawn> drawn(const Staged& staged, const LightOptions& options, In
     o.seed = seed;
     o.threads = 1;
     RenderControl control;
-    const double begin = cpu_seconds();
+    const double begin = process_seconds();
     const Result<RenderResult> result = render(staged.program, scene, o, control);
     if (!result) {
         fmt::print(stderr, "{}\n", result.error().message);
         return std::nullopt;
     }
-    Drawn picture{{}, cpu_seconds() - begin};
+    Drawn picture{{}, process_seconds() - begin};
     for (std::size_t i = 0; i < result->film.pixels.size(); ++i) picture.pixels.push_back(glm::min(result->film.color(i), Vec3(1)));
     return picture;
 }

@@ -1,6 +1,7 @@
 #include "bench/machine.h"
 
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -31,6 +32,12 @@ std::string about_this_run() {
 
 std::string json_of_run(const std::string& rows) {
     return fmt::format("{{\"machine\":\"{}\",\"commit\":\"{}\",\"rows\":[{}]}}\n", machine(), WHITTLE_BENCH_COMMIT, rows);
+}
+
+double process_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 }  // namespace whittle::bench

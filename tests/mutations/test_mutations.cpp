@@ -8,9 +8,9 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "csg/base/degrees.h"
 #include "tests/stress/compare.h"
 #include "tests/support/seed.h"
+#include "tests/support/use.h"
 #include "tracer/engine/mutation.h"
 
 namespace whittle {
@@ -31,15 +31,6 @@ struct Planted {
     Planted(const Planted&) = delete;
     Planted& operator=(const Planted&) = delete;
 };
-
-Use use(NodeId node, const Placement& placement = {}) {
-    Use u;
-    u.node = node;
-    u.placement = placement;
-    return u;
-}
-
-Placement turned(double deg) { return {{cosd(deg), -sind(deg), 0, 0, sind(deg), cosd(deg), 0, 0, 0, 0, 1, 0}}; }
 
 // What the reference says against the engine on a few random solids of every theme; empty where nothing.
 std::string reference_says(std::uint64_t seed, int solids) {
@@ -68,7 +59,7 @@ std::string laws_say(std::uint64_t seed) {
     for (const Shape& s : shapes) {
         SolidBuilder b({false, false, false});
         const NodeId a = b.combine(SetOp::kUnion, {use(b.shape(s), Placement::translation({0.3, 0.1, 0}))});
-        const Use once = use(a, turned(60)), twice = use(b.combine(SetOp::kUnion, {use(a, turned(30))}), turned(30));
+        const Use once = use(a, turned_about_z(60)), twice = use(b.combine(SetOp::kUnion, {use(a, turned_about_z(30))}), turned_about_z(30));
         const auto program = compile(b.finish(use(b.combine(SetOp::kDifference, {once, twice}))));
         if (!program) return "does not compile";
         Scratch scratch;

@@ -7,18 +7,13 @@
 #include "csg/base/degrees.h"
 #include "csg/solid/facets.h"
 #include "tests/stress/compare.h"
+#include "tests/support/use.h"
 
 using namespace whittle;
+using namespace whittle::support;
 using namespace whittle::stress;
 
 namespace {
-
-Use use(NodeId node, const Placement& placement = {}) {
-    Use u;
-    u.node = node;
-    u.placement = placement;
-    return u;
-}
 
 Placement turned(double deg, const Vec3& by) { return {{cosd(deg), 0, sind(deg), by.x, 0, 1, 0, by.y, -sind(deg), 0, cosd(deg), by.z}}; }
 

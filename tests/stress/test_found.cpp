@@ -3,20 +3,13 @@
 
 #include "tests/stress/compare.h"
 #include "tests/support/random_solid.h"
+#include "tests/support/use.h"
 
 using namespace whittle;
+using namespace whittle::support;
 using namespace whittle::stress;
 
 namespace {
-
-Use use(NodeId node, const Placement& placement = {}) {
-    Use u;
-    u.node = node;
-    u.placement = placement;
-    return u;
-}
-
-Placement moved(double x, double y, double z) { return Placement::translation({x, y, z}); }
 
 Ray ray(Vec3 origin, Vec3 direction) {
     Ray r;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <functional>
 
-#include "csg/base/degrees.h"
 #include "tests/support/random_shape.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/seed.h"
 #include "tests/support/reduce.h"
+#include "tests/support/use.h"
 #include "tracer/engine/engine.h"
 
 using namespace whittle;
@@ -18,15 +18,6 @@ using namespace whittle::support;
 namespace {
 
 constexpr SolidPasses kAsWritten{false, false, false};
-
-Use use(NodeId node, const Placement& placement = {}) {
-    Use u;
-    u.node = node;
-    u.placement = placement;
-    return u;
-}
-
-Placement turned(double deg) { return {{cosd(deg), -sind(deg), 0, 0, sind(deg), cosd(deg), 0, 0, 0, 0, 1, 0}}; }
 
 // How the second operand stands to the first.
 enum class Relation : std::uint8_t { kRandom, kCoincident, kTangent, kNested };
@@ -76,13 +67,13 @@ struct Operands {
 
     void place(const Sketch& s, const Placement& inner, Use& first, Use& again) {
         const NodeId placed = builder.combine(SetOp::kUnion, {use(builder.shape(s.shape), inner)});
-        first = use(placed, turned(60));
-        again = use(builder.combine(SetOp::kUnion, {use(placed, turned(30))}), turned(30));
+        first = use(placed, turned_about_z(60));
+        again = use(builder.combine(SetOp::kUnion, {use(placed, turned_about_z(30))}), turned_about_z(30));
         for (const Vec3& p : s.points) points.push_back(apply_to_point(first.placement, apply_to_point(inner, p)));
     }
 
     void bound() {
-        box = use(builder.shape(shape::Box{{-7, -7, -7}, {7, 7, 7}}), turned(60));
+        box = use(builder.shape(shape::Box{{-7, -7, -7}, {7, 7, 7}}), turned_about_z(60));
         // Bounded operands: every query has an end.
         for (Use* u : {&a, &b, &a_again, &b_again}) *u = use(builder.combine(SetOp::kIntersection, {box, *u}));
     }
@@ -173,7 +164,7 @@ void check_law(const Law& law, const Fresh& fresh, int rays, double sliver, std:
     if (!p || !q) return;
     RandomSolid at;
     at.points = o.points;
-    at.directions = {{1, 0, 0}, {0, 0, 1}, apply_to_direction(turned(60), {1, 0, 0}), apply_to_direction(turned(60), {0, 1, 0})};
+    at.directions = {{1, 0, 0}, {0, 0, 1}, apply_to_direction(turned_about_z(60), {1, 0, 0}), apply_to_direction(turned_about_z(60), {0, 1, 0})};
     at.size = 3;
     Scratch scratch;
     for (int i = 0; i < rays; ++i) {

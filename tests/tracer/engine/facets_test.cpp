@@ -7,20 +7,15 @@
 
 #include "csg/solid/facets.h"
 #include "tests/support/random_solid.h"
+#include "tests/support/use.h"
 #include "tests/tracer/engine/rays.h"
 #include "tracer/engine/facet_tree.h"
 
 using namespace whittle;
+using namespace whittle::support;
 using namespace whittle::testing;
 
 namespace {
-
-Use use(NodeId node, const Placement& placement = {}) {
-    Use u;
-    u.node = node;
-    u.placement = placement;
-    return u;
-}
 
 std::vector<FacetPlane> random_polytope(Random& random, int count) {
     std::vector<FacetPlane> planes;
