@@ -173,6 +173,27 @@ void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref, 
     }
     root = add(program, bounds, ref);
     room = 2.5 * error_;
+    placed_.clear();
+    if (program.some_depend) place_leaves();
+}
+
+void TileTree::place_leaves() {
+    if (root >= kTrue) return;
+    if (nodes[root].kind == TileNode::Kind::kLeaf) placed_.push_back({root, root});
+    pending_.assign(1, root);
+    while (!pending_.empty()) {
+        const std::uint32_t parent = pending_.back();
+        pending_.pop_back();
+        const TileNode& n = nodes[parent];
+        if (n.kind == TileNode::Kind::kLeaf) continue;
+        for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
+            if (children[i].leaf) {
+                placed_.push_back({children[i].node, parent});
+            } else if (children[i].node < kTrue) {
+                pending_.push_back(children[i].node);
+            }
+        }
+    }
 }
 
 void TileTree::build_labels(const Program& program, const TileBounds& bounds, Ref ref) {
@@ -354,6 +375,7 @@ void describe_for_packets(Program& program) {
     }
     // Packets look for the least use; priorities are a single ray's work.
     program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
+    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material.names_surface(); });
     for (const Users& u : users) {
         ClassLabel label;
         if (u.count > 0 && u.silent_cutters) {

@@ -102,7 +102,14 @@ struct TileTree {
     // Folds nothing away that may hold a place. For PacketWalker::holder() alone.
     void build_labels(const Program& program, const TileBounds& bounds, Ref ref);
 
+    // A leaf of the tree and the node it is a child of; only where some class's label depends on which leaves meet.
+    struct Placed {
+        std::uint32_t leaf = 0, parent = 0;
+    };
+    const std::vector<Placed>& placed() const { return placed_; }
+
 private:
+    void place_leaves();
     bool beyond(double near);
     bool meets(const TileBounds& bounds, const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far);
     std::uint32_t add(const Program& program, const TileBounds& bounds, Ref ref);
@@ -118,6 +125,7 @@ private:
         bool met = false;
     };
     std::vector<std::uint32_t> pending_;
+    std::vector<Placed> placed_;
     std::vector<Folded> folded_;  // by leaf
     std::uint32_t stamp_ = 0;
     TileScope scope_;

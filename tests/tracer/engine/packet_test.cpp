@@ -238,3 +238,26 @@ TEST_CASE("shadow rays in packets are blocked where single rays are, on every in
     }
     hwy::SetSupportedTargetsForTest(0);
 }
+
+TEST_CASE("packets tell whose face a plane shows that several bodies share") {
+    for (int which = 0; which < 3; ++which) {
+        SolidBuilder b;
+        const auto use = [](NodeId node, const Vec3& at) { return Use{node, kNoLabel, 0, Placement::translation({at.x, at.y, at.z})}; };
+        const auto bar = [&](double r0, double r1, double h) { return b.shape(shape::FacetedFrustum{0, h, r0, r1, 40}); };
+        const NodeId turned = b.combine(SetOp::kUnion, {use(bar(25, 25, 16), Vec3(0)), use(bar(28, 26, 2), Vec3(0)), use(bar(26, 28, 2), {0, 0, 14})});
+        const NodeId boxes = b.combine(SetOp::kUnion, {use(b.shape(shape::Box{Vec3(-20, -20, 0), Vec3(20, 20, 16)}), Vec3(0)), use(turned, Vec3(0))});
+        const NodeId drilled = b.combine(SetOp::kDifference, {use(boxes, Vec3(0)), use(bar(4, 4, 20), {5, 0, -1}), use(bar(4, 4, 3), {-9, 0, 13})});
+        const auto program = compiled(b.finish(use(which == 0 ? turned : which == 1 ? boxes : drilled, Vec3(0))));
+        Tally tally;
+        Random random(8);
+        for (int k = 0; k < 20; ++k) {
+            Ray ray = random.ray_through({Vec3(-25, -25, 0), Vec3(25, 25, 16)});
+            ray.origin.z = 60 + std::abs(ray.origin.z);
+            ray.direction = random.point({Vec3(-20, -20, 16), Vec3(20, 20, 16)}) - ray.origin;
+            INFO(to_text(ray));
+            CHECK(differing(*program, tile_around(ray, 256, 0x1p-10), HUGE_VAL, tally) == 0);
+        }
+        CHECK(tally.hits > 4000);
+        CHECK(tally.in_packets > 5000);
+    }
+}
