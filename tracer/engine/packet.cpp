@@ -129,9 +129,17 @@ bool departure_of(const Program& program, const Ray& ray, std::uint64_t& id) {
     const Support& s = program.classes[c];
     id = std::uint64_t{c} << 1;
     if (is_plane(s.kind)) return true;
-    if (s.kind != SupportKind::kBall && s.kind != SupportKind::kCylinder) return false;
-    const double along = glm::dot(unit_gradient(s, program.frames[s.frame], ray.origin), ray.direction);
-    if (along > 0) id |= 1;
+    const Frame& frame = program.frames[s.frame];
+    if (degree_of(s.kind) != 2 || frame.motion != 0) return false;
+    const double along = glm::dot(unit_gradient(s, frame, ray.origin), ray.direction);
+    bool second = along > 0;
+    if (s.kind == SupportKind::kCone || s.kind == SupportKind::kQuadric) {
+        // Steeper than the cone the ray goes out by its first crossing and in by its second.
+        const auto form = single::quadratic_form<double>(s, ray_in_frame(frame, ray));
+        if (!(std::abs(form.a) > form.ea)) return false;
+        second = second == (form.a > 0);
+    }
+    if (second) id |= 1;
     return std::abs(along) > kLeastCosine * glm::length(ray.direction);
 }
 

@@ -16,6 +16,7 @@ constexpr double kLeastCosine = 0x1p-8;
 constexpr double kLeastSlope = 0x1p-9;
 constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
 constexpr double kMostRoundError = 0x1p-24; // rays that have little in common: all grazing angles at once, from all distances
+constexpr double kMostQuadricError = 0x1p-38;
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
 
 double largest(double lo, double hi) { return std::max(std::abs(lo), std::abs(hi)); }
@@ -112,7 +113,7 @@ public:
         const TileLine& line = line_of(s.frame);
         if (is_plane(s.kind)) return add_plane(t, line);
         if (s.kind == SupportKind::kBall) return add_round(t, line, {s.p[0], s.p[1], s.p[2]}, s.p[3]);
-        if (s.kind != SupportKind::kCylinder) return false;
+        if (s.kind != SupportKind::kCylinder) return degree_of(s.kind) == 2 && add_quadric(t);
         std::array<double, 3> centre{};
         centre[(s.axis + 1u) % 3] = s.p[0];
         centre[(s.axis + 2u) % 3] = s.p[1];
@@ -222,6 +223,13 @@ private:
         if (!(t.round.missed < HUGE_VAL)) return false;
         if (!(t.round.error <= kMostRoundError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
         take(t, {}, t.still ? 0 : t.round.error + 2 * u * scope_.horizon);
+        return true;
+    }
+
+    bool add_quadric(TileSurface& t) {
+        t.kind = TileSurface::Kind::kQuadric;
+        t.error = kMostQuadricError * scope_.horizon;
+        take(t, {}, t.error);
         return true;
     }
 

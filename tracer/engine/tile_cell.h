@@ -35,7 +35,8 @@ struct TileSurface {
         kCrossing,
         kPlane,     // any other
         kBall,
-        kCylinder
+        kCylinder,
+        kQuadric    // cones, ellipsoids, tubes, general ones: each lane by its own bounds
     };
     Kind kind = Kind::kPlane;
     bool inverted = false;
@@ -48,6 +49,7 @@ struct TileSurface {
     double clear = HUGE_VAL;  // unless they start further than this from it: then none gets there
     const Support* support = nullptr;
     RoundLimits round;
+    double error = 0;         // kQuadric: lanes whose t is worse are undecided
 };
 
 struct TileCell {

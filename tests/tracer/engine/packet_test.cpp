@@ -261,3 +261,49 @@ TEST_CASE("packets tell whose face a plane shows that several bodies share") {
         CHECK(tally.in_packets > 5000);
     }
 }
+
+TEST_CASE("packets know cones, ellipsoids, tubes and other quadrics, and shadow rays that leave them") {
+    const std::vector<Shape> shapes{shape::Frustum{-1, 1, 1, 0.4}, shape::Frustum{-1, 1, 0, 1.2}, shape::Ellipsoid{{1, 0.6, 1.3}},
+                                    shape::Capsule{{-0.7, -0.2, 0.1}, {0.6, 0.5, -0.4}, 0.5}, shape::Quadric{{1, 1, -0.5, 0.1, 0, 0.2, 0, 0, 0, -0.4}}};
+    const std::vector<Placement> placements{Placement(), {{0, -1.5, 0, 1, 1, 0, 0, 2, 0, 0, 1, 0}}, {{0.8, -0.6, 0, 0, 0.48, 0.64, -0.6, 0, 0.36, 0.48, 0.8, 0}},
+                                            {{1, 0.3, 0, 0, 0, 1, 0.2, 0, 0.1, 0, -1, 0}}};
+    std::uint64_t asked = 0, in_packets = 0, shadow_rays = 0, shadows_in_packets = 0;
+    int blocked_rays = 0;
+    for (const Shape& shape : shapes)
+        for (const Placement& placement : placements) {
+            SolidBuilder b;
+            const auto use = [](NodeId node, const Placement& at) { return Use{node, kNoLabel, 0, at}; };
+            const NodeId box = b.shape(shape::Box{Vec3(-1), Vec3(1)}), floor = b.shape(shape::Box{Vec3(-4, -4, -2), Vec3(4, 4, -1.5)});
+            const NodeId part = b.combine(SetOp::kIntersection, {use(box, Placement()), use(b.shape(shape), Placement())});
+            const auto program = compiled(b.finish(use(b.combine(SetOp::kUnion, {use(part, Placement()), use(floor, Placement())}), placement)));
+            const Bounds bounds = program_bounds(*program);
+            Random random(9);
+            for (int k = 0; k < 8; ++k) {
+                const std::vector<Ray> rays = tile_around(random.ray_through(bounds), 256, 0x1p-9);
+                Tally tally;
+                INFO("shape " << shape.index() << " " << to_text(rays.front()));
+                CHECK(differing(*program, rays, HUGE_VAL, tally) == 0);
+                asked += rays.size();
+                in_packets += tally.in_packets;
+                Scratch scratch, many, alone;
+                for (const Ray& ray : rays) {
+                    Hit hit;
+                    if (!first_hit(*program, ray, HUGE_VAL, scratch, hit)) continue;
+                    Ray shadow;
+                    shadow.origin = hit.point;
+                    shadow.direction = bounds.hi + Vec3(3, 4, 5) - hit.point;
+                    shadow.departure = &hit.departure;
+                    bool one = false;
+                    any_hits(*program, &shadow, &k_light, 1, many, &one);
+                    CHECK(one == any_hit(*program, shadow, k_light, alone));
+                    blocked_rays += one;
+                    ++shadow_rays;
+                }
+                shadows_in_packets += many.counters.packet_rays;
+            }
+        }
+    CHECK(in_packets > asked * 95 / 100);
+    CHECK(shadow_rays > 5000);
+    CHECK(blocked_rays > 500);
+    CHECK(shadows_in_packets > shadow_rays * 9 / 10);
+}
