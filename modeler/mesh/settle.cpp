@@ -10,8 +10,9 @@
 namespace whittle {
 namespace {
 
-// More rounds than any mesh has needed.
-constexpr int kRounds = 6;
+// Rounds on one grid: what has not settled by then mostly grows from round to round. Then the mesh is put on a grid twice as coarse, three times at most; of the
+// examples one needs that.
+constexpr int kRounds = 4, kGrids = 4;
 // With more pairs than this the model is too fine for the precision: arranging it would take minutes and help little. They are told instead.
 constexpr std::uint64_t kMostCrossings = 2000;
 
@@ -52,20 +53,24 @@ std::optional<Mesh> rearranged(const Mesh& mesh, int exponent, MeshControl& cont
     return out;
 }
 
-// Rounds and arranges on the finest grid whose points have so many bits.
+// Rounds and arranges on the finest grid whose points have so many bits, else on coarser ones.
 Settled settled_on_grid(Settled first, const Mesh& mesh, int bits, MeshControl& control) {
     int exponent = 0;
     std::frexp(largest_coordinate(mesh), &exponent);
     exponent -= bits;
     Settled best = std::move(first);
-    Mesh now = mesh;
-    for (int round = 0; round < kRounds && best.crossings > 0 && best.crossings <= kMostCrossings && !control.cancelled(); ++round) {
-        auto next = rearranged(now, exponent, control);
-        if (!next) break;
-        now = std::move(*next);
-        Settled seen = looked_at(now);
-        seen.rearranged = true;
-        if (seen.crossings < best.crossings) best = std::move(seen);
+    for (int coarser = 0; coarser < kGrids && best.crossings > 0 && best.crossings <= kMostCrossings; ++coarser) {
+        Mesh now = mesh;
+        std::uint64_t left = best.crossings;
+        for (int round = 0; round < kRounds && left > 0 && left <= kMostCrossings && !control.cancelled(); ++round) {
+            auto next = rearranged(now, exponent + coarser, control);
+            if (!next) break;
+            now = std::move(*next);
+            Settled seen = looked_at(now);
+            left = seen.crossings;
+            seen.rearranged = true;
+            if (left < best.crossings) best = std::move(seen);
+        }
     }
     return best;
 }
