@@ -21,9 +21,7 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expression, const ArrangeOptions& options, ArrangeStats& stats) {
+Result<ArrangedMesh> arranged(std::span<const Operand> operands, Expression& expression, const ArrangeOptions& options, ArrangeStats& stats) {
     Lap lap;
     Patches patches = patches_of(operands);
     const BoxTree tree(patches.boxes, patches.owner);
@@ -40,6 +38,23 @@ Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expr
     ArrangedMesh mesh = surface_of(patches, operands, *small, *sides, options, stats);
     stats.seconds_join += lap.seconds();
     return mesh;
+}
+
+}  // namespace
+
+Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expression, const ArrangeOptions& options, ArrangeStats& stats) {
+    if (options.bury) {
+        // Missing walls leave more pieces to be told inside from outside by a line, and one may be too thin for that.
+        ArrangeStats tried;
+        auto made = arranged(operands, expression, options, tried);
+        if (made || tried.buried == 0 || made.error().fault == Fault::kInterrupted) {
+            stats += tried;
+            return made;
+        }
+    }
+    ArrangeOptions whole = options;
+    whole.bury = false;
+    return arranged(operands, expression, whole, stats);
 }
 
 }  // namespace whittle

@@ -22,6 +22,12 @@ struct ArrangeStats {
     std::uint64_t small_faces = 0;  // after cutting
     std::uint64_t removed = 0;      // vertices taken out of flat facets and straight edges
     double seconds_cut = 0, seconds_classify = 0, seconds_join = 0;
+
+    ArrangeStats& operator+=(const ArrangeStats& o) {
+        buried += o.buried, pairs += o.pairs, small_faces += o.small_faces, removed += o.removed;
+        seconds_cut += o.seconds_cut, seconds_classify += o.seconds_classify, seconds_join += o.seconds_join;
+        return *this;
+    }
 };
 
 // Closed and oriented. Coordinates in grid units, each the exact one rounded to double.

@@ -73,11 +73,14 @@ private:
         if (inside.mesh) sums_.chord_mesh += t1 - t0;
         if (inside.exact == inside.mesh) return;
         sums_.difference += t1 - t0;
-        if (t1 - t0 <= c_.flat_bound + place_error(borders.first) + place_error(borders.last)) return;
+        const bool is_short = t1 - t0 <= c_.flat_bound + place_error(borders.first) + place_error(borders.last);
+        if (is_short && (t1 == t0 || !lies_at_leaf(point_at(ray_, t0)))) return;  // its borders are judged by themselves
         if (borders.first > 0) explained_[borders.first - 1] = true;
         if (borders.last > 0) explained_[borders.last - 1] = true;
-        judge_piece(t0, t1, inside.mesh);
+        if (!is_short) judge_piece(t0, t1, inside.mesh);
     }
+
+    bool lies_at_leaf(Vec3 p) const { return c_.leaves.nearest(p, c_.curved_bound, c_.flat_bound, kReach).ratio <= 1; }
 
     // What the place of a crossing may be off by: much where the ray grazes a sliver.
     double place_error(std::size_t border) const { return border > 0 ? scratch_.crossings[border - 1].t_error : 0; }

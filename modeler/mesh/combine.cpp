@@ -70,9 +70,12 @@ Result<ArrangedMesh> combined_by_cgal(std::span<const Operand> operands, const s
 class Combiner {
 public:
     Combiner(const Plan& plan, std::span<const std::uint32_t> uses, const CombineOptions& options, MeshControl& control)
-        : plan_(plan), uses_(uses), options_(options), control_(control), leaf_count_(plan.size(), 1) {
-        for (PlanId id = 0; id < plan.size(); ++id)
-            if (const PlanNode& n = plan.node(id); n.op) leaf_count_[id] = leaf_count_[n.a.plan] + leaf_count_[n.b.plan];
+        : plan_(plan), uses_(uses), options_(options), control_(control), use_count_(plan.size(), 1) {
+        for (PlanId id = 0; id < plan.size(); ++id) {
+            const PlanNode& n = plan.node(id);
+            if (n.op) use_count_[id] = use_count_[n.a.plan] + use_count_[n.b.plan];
+            if (!n.starts.empty()) use_count_[id] = static_cast<std::uint32_t>(n.starts.size());
+        }
     }
 
     Result<Parts> run(PlanId root, MeshStats& stats) {
@@ -148,10 +151,7 @@ private:
             if (!made[i]) return tl::unexpected(made[i].error());
             for (Part& p : *made[i]) parts.push_back(std::move(p));
             booleans_ += groups[i].size() > 1 ? 1U : 0U;
-            work_.removed += work[i].removed;
-            work_.seconds_cut += work[i].seconds_cut;
-            work_.seconds_classify += work[i].seconds_classify;
-            work_.seconds_join += work[i].seconds_join;
+            work_ += work[i];
         }
         return parts;
     }
@@ -168,7 +168,7 @@ private:
         }
         const PlanRef a{n.a.plan, sum(n.a.offset, ref.offset)}, b{n.b.plan, sum(n.b.offset, ref.offset)};
         const FacetTag tag_b = tag_base + plan_.node(a.plan).tag_count;
-        const std::uint32_t use_b = first_use + leaf_count_[a.plan];
+        const std::uint32_t use_b = first_use + use_count_[a.plan];
         const bool both = *n.op == SetOp::kIntersection;
         const auto left = expand(a, tag_base, first_use, both ? common(room, plan_.box(b)) : room);
         if (!left && *n.op != SetOp::kUnion) return std::nullopt;
@@ -263,7 +263,7 @@ private:
     std::span<const std::uint32_t> uses_;
     const CombineOptions& options_;
     MeshControl& control_;
-    std::vector<std::uint32_t> leaf_count_;
+    std::vector<std::uint32_t> use_count_;
     std::map<PlanId, GridMesh> solved_;
     std::vector<Leaf> leaves_;
     std::vector<Term> terms_;

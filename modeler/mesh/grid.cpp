@@ -63,7 +63,7 @@ private:
 };
 
 // Two opposite triangles on the same three points enclose nothing: both go.
-void drop_folded_pairs(std::vector<Triangle>& triangles) {
+void drop_folded_pairs(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& group) {
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto sorted_corners = [&](std::size_t i) {
@@ -82,14 +82,19 @@ void drop_folded_pairs(std::vector<Triangle>& triangles) {
             ++i;
         }
     if (!any) return;
-    std::vector<Triangle> kept;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (!gone[i]) kept.push_back(triangles[i]);
-    triangles.swap(kept);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (gone[i]) continue;
+        triangles[kept] = triangles[i];
+        if (!group.empty()) group[kept] = group[i];
+        ++kept;
+    }
+    triangles.resize(kept);
+    if (!group.empty()) group.resize(kept);
 }
 
-// One tag for each region of exactly coplanar triangles that hang together by edges.
-FacetTag tag_facets(GridMesh& mesh) {
+// One tag for each region of exactly coplanar triangles of a group that hang together by edges.
+FacetTag tag_facets(GridMesh& mesh, const std::vector<std::uint32_t>& group) {
     constexpr FacetTag kNone = std::numeric_limits<FacetTag>::max();
     mesh.tags.assign(mesh.triangles.size(), kNone);
     const EdgeIndex edges(mesh.triangles);
@@ -108,7 +113,7 @@ FacetTag tag_facets(GridMesh& mesh) {
             todo.pop_back();
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto other = edges.across(t[k], t[(k + 1) % 3]);
-                if (!other || mesh.tags[*other] != kNone) continue;
+                if (!other || mesh.tags[*other] != kNone || (!group.empty() && group[*other] != group[seed])) continue;
                 const Triangle& o = mesh.triangles[*other];
                 const auto flat = [&](std::uint32_t v) { return side_of(plane, mesh.points[v]) == 0; };
                 if (!flat(o[0]) || !flat(o[1]) || !flat(o[2]) || !plane_of(o).valid()) continue;
@@ -119,6 +124,21 @@ FacetTag tag_facets(GridMesh& mesh) {
         ++count;
     }
     return count;
+}
+
+// Numbers the tags anew, group by group, and gives the first of each.
+std::vector<FacetTag> sort_tags(GridMesh& mesh, FacetTag tag_count, const std::vector<std::uint32_t>& group, std::uint32_t group_count) {
+    std::vector<std::uint32_t> group_of(tag_count, 0);
+    for (std::size_t i = 0; i < group.size(); ++i) group_of[mesh.tags[i]] = group[i];
+    std::vector<FacetTag> next(group_count + 1, 0);
+    for (const std::uint32_t g : group_of) ++next[g + 1];
+    for (std::uint32_t g = 0; g < group_count; ++g) next[g + 1] += next[g];
+    next.pop_back();
+    const std::vector<FacetTag> starts = next;
+    std::vector<FacetTag> renamed(tag_count);
+    for (FacetTag t = 0; t < tag_count; ++t) renamed[t] = next[group_of[t]]++;
+    for (FacetTag& t : mesh.tags) t = renamed[t];
+    return starts;
 }
 
 // Moves the low corner of the box to the origin and drops points no triangle uses.
@@ -184,16 +204,20 @@ SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Pl
     }
     const bool mirrored = determinant(placement) < 0;
     out.mesh.triangles.reserve(leaf.triangles.size());
-    for (const Triangle& t : leaf.triangles) {
+    std::vector<std::uint32_t> group;
+    for (std::size_t i = 0; i < leaf.triangles.size(); ++i) {
+        const Triangle& t = leaf.triangles[i];
         Triangle u{renamed[t[0]], renamed[t[1]], renamed[t[2]]};
         if (u[0] == u[1] || u[1] == u[2] || u[2] == u[0]) continue;
         if (mirrored) std::swap(u[1], u[2]);
         out.mesh.triangles.push_back(u);
+        if (!leaf.group.empty()) group.push_back(leaf.group[i]);
     }
-    drop_folded_pairs(out.mesh.triangles);
+    drop_folded_pairs(out.mesh.triangles, group);
     if (out.mesh.triangles.empty()) return {};
     normalise(out);
-    out.tag_count = tag_facets(out.mesh);
+    out.tag_count = tag_facets(out.mesh, group);
+    if (!group.empty()) out.starts = sort_tags(out.mesh, out.tag_count, group, leaf.group_count);
     return out;
 }
 

@@ -21,6 +21,8 @@ inline constexpr std::int64_t kLargestGridCoordinate = std::int64_t{1} << 40;
 struct LeafMesh {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> group;  // of each triangle, where it matters which of `group_count` uses one is of
+    std::uint32_t group_count = 0;
     void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
         triangles.push_back({a, b, c});
         triangles.push_back({a, c, d});
@@ -43,6 +45,7 @@ struct SnappedLeaf {
     GridPoint offset{};
     GridPoint size{};
     FacetTag tag_count = 0;
+    std::vector<FacetTag> starts;   // the first tag of each group, where there are groups
     bool may_cross_itself = false;  // the shape does not promise that the mesh does not: to be looked at before a boolean
 };
 
@@ -62,7 +65,7 @@ private:
 };
 
 // The leaf after `placement` and, into the axes of the grid, `to_frame`, a rotation; on the grid: equal points merged, what has become nothing dropped, turned outward where the placement mirrors,
-// tagged by exactly coplanar regions. Empty where nothing is left.
+// tagged by exactly coplanar regions of a group. Empty where nothing is left.
 SnappedLeaf snap_leaf(const LeafMesh& leaf, const Placement& placement, const Placement& to_frame, const Grid& grid, KnownPoints& known);
 
 }  // namespace whittle

@@ -1,5 +1,6 @@
 #include "modeler/mesh/grid_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -60,6 +61,15 @@ private:
 };
 
 }  // namespace
+
+bool keeps_axes(const Placement& p) {
+    for (int j = 0; j < 3; ++j) {
+        const Vec3 c = glm::abs(column(p, j));
+        const double most = std::max({c.x, c.y, c.z});
+        if (c.x + c.y + c.z - most > kRotationError * most) return false;
+    }
+    return true;
+}
 
 Placement grid_frame(const Solid& solid, const Use& root) {
     Survey survey(solid);

@@ -12,6 +12,9 @@ namespace whittle {
 // One that is brought in at many places is none: equal parts at grid distances in the world would lie at others in its axes, and be combined one by one.
 Placement grid_frame(const Solid& solid, const Use& root);
 
+// Does the map's linear part take every axis along an axis, up to a few roundings?
+bool keeps_axes(const Placement& p);
+
 // The inverse of a rotation, as a transposition.
 Placement turned_back(const Placement& rotation);
 

@@ -86,7 +86,7 @@ PlanId Plan::interned(PlanNode&& node, std::uint64_t hash) {
     const auto [from, to] = by_hash_.equal_range(hash);
     for (auto at = from; at != to; ++at) {
         const PlanNode& known = nodes_[at->second];
-        if (known.op == node.op && known.a == node.a && known.b == node.b && known.leaf == node.leaf) {
+        if (known.op == node.op && known.a == node.a && known.b == node.b && known.leaf == node.leaf && known.starts == node.starts) {
             ++reused_;
             return at->second;
         }
@@ -98,14 +98,15 @@ PlanId Plan::interned(PlanNode&& node, std::uint64_t hash) {
     return id;
 }
 
-Instance Plan::leaf(SnappedLeaf&& leaf, std::uint32_t use) {
+Instance Plan::leaf(SnappedLeaf&& leaf, std::vector<std::uint32_t> uses) {
     PlanNode node;
     node.leaf = std::move(leaf.mesh);
+    node.starts = std::move(leaf.starts);
     node.box = {{0, 0, 0}, leaf.size};
     node.tag_count = leaf.tag_count;
     node.may_cross_itself = leaf.may_cross_itself;
     const std::uint64_t hash = hash_of(node.leaf);
-    return {{interned(std::move(node), hash), leaf.offset}, {use}};
+    return {{interned(std::move(node), hash), leaf.offset}, std::move(uses)};
 }
 
 Instance Plan::binary(SetOp op, Instance&& a, Instance&& b) {

@@ -26,6 +26,7 @@ struct PlanNode {
     std::optional<SetOp> op;
     PlanRef a, b;
     GridMesh leaf;
+    std::vector<FacetTag> starts;  // of a leaf that holds several uses: the first tag of each
     bool may_cross_itself = false;
     GridBox box;              // around the result, from the node's own place
     FacetTag tag_count = 0;   // of a leaf, or of both operands: b's tags follow a's
@@ -46,7 +47,7 @@ public:
     std::uint64_t reused() const { return reused_; }
     std::uint64_t skipped() const { return skipped_; }
 
-    Instance leaf(SnappedLeaf&& leaf, std::uint32_t use);
+    Instance leaf(SnappedLeaf&& leaf, std::vector<std::uint32_t> uses);
     // Nothing where the result is empty. Operands that cannot matter, by equality or by their boxes, do not reach a node.
     std::optional<Instance> unite(std::vector<Instance> operands);
     std::optional<Instance> intersect(std::vector<Instance> operands);

@@ -158,8 +158,9 @@ std::uint64_t agreeing_trees(std::uint64_t count) {
             ++good;
             continue;
         }
-        WARN(support::name_of(theme) << " " << 1 + i / std::size(kThemes) << ": " << (a ? name_of(a->worst.kind) : a.error().message.c_str()) << " off by "
-                                     << (a ? a->worst.distance : 0) << " of " << (a ? a->worst.bound : 0) << ", " << (a ? a->disagreements_in_all : 0) << " in all");
+        const Disagreement d = a && !a->disagreements.empty() ? a->disagreements.front() : Disagreement{};
+        WARN(support::name_of(theme) << " " << 1 + i / std::size(kThemes) << ": " << (a ? name_of(d.kind) : a.error().message.c_str()) << " off by " << d.distance << " of "
+                                     << d.bound << ", " << (a ? a->disagreements_in_all : 0) << " in all");
     }
     return good;
 }

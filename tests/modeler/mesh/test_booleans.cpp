@@ -96,6 +96,42 @@ TEST_CASE("a part turned as a whole keeps its flush faces") {
     CHECK(settled_in_single(turned.mesh, control).crossings == 0);
 }
 
+TEST_CASE("a part that stands turned in several places is combined once, with flush faces and colours") {
+    SolidBuilder b;
+    const auto coloured = [&](NodeId node, Vec4 color, Vec3 by) {
+        Use use = at(node, by);
+        Label label;
+        label.material.color = color;
+        use.label = b.label(label);
+        return use;
+    };
+    const NodeId slab = b.shape(shape::Box{Vec3(0), {9, 4, 2}}), post = b.shape(shape::Box{Vec3(0), {2, 4, 7}});
+    const NodeId bracket = b.combine(SetOp::kUnion, {coloured(slab, {1, 0, 0, 1}, Vec3(0)), coloured(post, {0, 1, 0, 1}, Vec3(0))});
+    std::vector<Use> places;
+    for (const double angle : {0.1, 0.7, 1.3}) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        places.push_back(placed(bracket, {{c, -s, 0.25, 40 * angle, s, c, 0, 3, 0, 0, 1, angle}}));
+    }
+    SolidBuilder alone;
+    const NodeId one = alone.combine(SetOp::kUnion, {at(alone.shape(shape::Box{Vec3(0), {9, 4, 2}})), at(alone.shape(shape::Box{Vec3(0), {2, 4, 7}}))});
+    const MeshResult straight = meshed(alone, one), turned = meshed(b, b.combine(SetOp::kUnion, places));
+    CHECK(turned.report.triangles == 3 * straight.report.triangles);
+    CHECK(turned.report.components == 3);
+    CHECK_THAT(volume(turned), WithinAbs(3 * volume(straight), turned.grid_mm * area(turned)));
+    CHECK(turned.stats.booleans == 1);
+    REQUIRE(turned.leaves.size() == 6);
+    std::array<double, 2> areas{};  // red, green
+    for (std::size_t i = 0; i < turned.mesh.triangles.size(); ++i) {
+        const auto& t = turned.mesh.triangles[i];
+        const auto& p = turned.mesh.points;
+        const auto color = turned.leaves[turned.mesh.leaf[i]].material.color;
+        REQUIRE(color);
+        areas[(*color)[0] == 1 ? 0 : 1] += glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
+    }
+    CHECK(areas[0] > areas[1]);
+    CHECK(areas[1] > 3 * 40);
+}
+
 TEST_CASE("what touches along an edge can be cut further") {
     SolidBuilder b;
     const NodeId c = cube(b, 10), pair = b.combine(SetOp::kUnion, {at(c), at(c, {10, 10, 0})});
