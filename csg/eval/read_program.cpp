@@ -40,6 +40,9 @@ void ProgramReader::warn_missing(const char* what, const std::string& asked, Sou
         hint += "; looked beside that file";
         for (const std::string& library : input_.library_paths) hint += ", in " + library;
     }
+    // OpenSCAD's line names no place, so the caret comes with the hint.
+    const std::string caret = format_caret({Severity::kWarning, place, {}, {}}, out_.sources);
+    hint.insert(0, caret + '\n');
     out_.diagnostics.add(Severity::kWarning, {}, std::string("Can't open ") + what + " '" + asked + "'.", hint);
 }
 

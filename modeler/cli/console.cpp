@@ -1,4 +1,4 @@
-// console.cpp — see console.h. One write a message, so that lines of two processes do not mix.
+// console.cpp — see console.h. A write holds whole lines, and no more than a pipe takes at once, so that lines of two processes do not mix.
 #include "modeler/cli/console.h"
 
 #include <cstdio>
@@ -24,9 +24,22 @@ const char* name_of(Severity severity) {
     return "error";
 }
 
+void write_out(std::string& lines) {
+    std::fwrite(lines.data(), 1, lines.size(), stderr);
+    lines.clear();
+}
+
+// Adds a line to those that wait to be written.
+void put(std::string& lines, std::string_view text) {
+    constexpr std::size_t kPipeTakes = 4096;  // POSIX has 512 at least, Linux this
+    if (lines.size() + text.size() + 1 > kPipeTakes) write_out(lines);
+    lines += text;
+    lines += '\n';
+}
+
 void put(std::string text) {
     text += '\n';
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    write_out(text);
 }
 
 }  // namespace
@@ -35,11 +48,13 @@ Console::Console(DiagnosticStyle style, bool quiet) : style_(style), quiet_(quie
 
 void Console::tell(const Diagnostics& diagnostics, const SourceTable& sources, std::size_t told) {
     const auto& all = diagnostics.all();
+    std::string lines;
     for (std::size_t i = told; i < all.size(); ++i) {
         if (all[i].severity == Severity::kWarning) warnings_.push_back(all[i].text);
         if (quiet_ && all[i].severity != Severity::kError) continue;
+        if (all[i].severity == Severity::kEcho && !echoes_) continue;
         if (style_ == DiagnosticStyle::kJson) {
-            tell_json(all[i], sources);
+            put(lines, json_of(all[i], sources));
             continue;
         }
         std::string text = format_line(all[i], sources);
@@ -47,11 +62,12 @@ void Console::tell(const Diagnostics& diagnostics, const SourceTable& sources, s
             if (const auto caret = format_caret(all[i], sources); !caret.empty()) text += '\n' + caret;
         if (!all[i].hint.empty()) text += '\n' + all[i].hint;
         while (!text.empty() && text.back() == '\n') text.pop_back();
-        put(std::move(text));
+        put(lines, text);
     }
+    write_out(lines);
 }
 
-void Console::tell_json(const Diagnostic& diagnostic, const SourceTable& sources) {
+std::string Console::json_of(const Diagnostic& diagnostic, const SourceTable& sources) {
     json::Buffer out;
     json::raw(out, R"({"severity":)");
     json::string(out, name_of(diagnostic.severity));
@@ -68,7 +84,7 @@ void Console::tell_json(const Diagnostic& diagnostic, const SourceTable& sources
         json::string(out, diagnostic.hint);
     }
     json::raw(out, "}");
-    put(fmt::to_string(out));
+    return fmt::to_string(out);
 }
 
 void Console::say(Severity severity, std::string_view text) {

@@ -17,6 +17,8 @@ public:
 
     // Those of `diagnostics` that were not told yet, from number `told` on; on a terminal with the source line and a caret. Errors are told even when quiet.
     void tell(const Diagnostics& diagnostics, const SourceTable& sources, std::size_t told = 0);
+    // Whether what the scene echoes is told: not where it goes to a file.
+    void tell_echoes(bool yes) { echoes_ = yes; }
     // Without a place in a text.
     void error(std::string_view text) { say(Severity::kError, text); }
     void warning(std::string_view text) { say(Severity::kWarning, text); }
@@ -33,11 +35,12 @@ public:
 
 private:
     void say(Severity severity, std::string_view text);
-    void tell_json(const Diagnostic& diagnostic, const SourceTable& sources);
+    static std::string json_of(const Diagnostic& diagnostic, const SourceTable& sources);
 
     DiagnosticStyle style_;
     bool quiet_;
     bool terminal_;
+    bool echoes_ = true;
     std::vector<std::string> warnings_;
 };
 

@@ -63,12 +63,13 @@ public:
         if (verb_ && verb_->verb == Verb::kCheck) declare_check();
         if (verb_ && verb_->verb == Verb::kSpans) declare_spans();
         const bool writes = !verb_ || verb_->verb == Verb::kRender || verb_->verb == Verb::kMesh || verb_->verb == Verb::kMerge;
-        if (writes) list("-o", "FILE", "Output; its suffix chooses the format. May be given more than once", request_.outputs, "Files");
+        if (writes) list(verb_ ? "-o" : "-o,-s,-x", "FILE", "Output; its suffix chooses the format. May be given more than once", request_.outputs, "Files");
         app_.add_option("FILE", request_.inputs, "The scene; - is standard input")->type_name("")->group("Files");
     }
 
     CLI::App& app() { return app_; }
     bool wants_version() const { return version_; }
+    bool wants_info() const { return info_; }
     const std::string& refused() const { return refused_; }
 
 private:
@@ -146,7 +147,7 @@ private:
     const VerbInfo* verb_;
     Request& request_;
     CLI::App app_;
-    bool version_ = false;
+    bool version_ = false, info_ = false;
     std::string refused_;
 };
 
@@ -180,7 +181,7 @@ void Declaration::declare_common() {
         return t == "text" || t == "json";
     });
     flag("--json", "The answer as JSON on standard output", common.json, kGroup);
-    flag("-q", "Print errors only", common.quiet, kGroup);
+    flag("-q,--quiet", "Print errors only", common.quiet, kGroup);
     text("--stats", "FILE", "Writes counters of work done; - is standard output", common.stats_file, kGroup);
     number("--limit-time", "S", "Give up after so many seconds (exit code 3)", common.limit_seconds, 0, 1e9, kGroup);
     value("--limit-memory", "MB", "Give up at so many megabytes (exit code 3)", kGroup, [&common](const std::string& t) {
@@ -208,8 +209,12 @@ void Declaration::declare_openscad() {
     passed_over("--backend", true, "there is one", kGroup);
     passed_over("--enable", true, "all features are on", kGroup);
     passed_over("--debug", true, "the messages are those of -q or all", kGroup);
-    for (const char* name : {"-m", "--view", "--summary", "--summary-file", "-O"}) not_yet(name, true, kGroup);
-    not_yet("--info", false, kGroup);
+    passed_over("-m", true, "nothing that a scene or a command line names is ever executed", kGroup);
+    passed_over("-O", true, "formats have no options of their own", kGroup);
+    value("--view", "axes, crosshairs, edges, scales or wireframe", "edges draws dark lines along edges; the others are passed over", kGroup,
+          [this](const std::string& t) { return read_view(t, request_.render.options.edges); });
+    app_.add_flag("--info", info_, "Print how this program was built and exit")->group(kGroup);
+    for (const char* name : {"--summary", "--summary-file"}) not_yet(name, true, kGroup);
 }
 
 void Declaration::declare_render() {
@@ -341,6 +346,11 @@ std::string help_text(const VerbInfo* verb, CLI::App& app) {
                   "4 check found disagreement, 130 interrupted.\n";
 }
 
+std::string info_text() {
+    return "whittle " WHITTLE_VERSION "\ncompiler: " __VERSION__ "\nlanguage: OpenSCAD 2021.01 and later additions\n"
+           "modules, opened when needed: whittle_image whittle_cgal whittle_openmesh whittle_font\n";
+}
+
 std::vector<std::string> names_of(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
@@ -420,6 +430,7 @@ Result<std::variant<Request, Say>> parse_command_line(std::vector<std::string> a
     } catch (const CLI::ParseError& fault) {
         return fail(Fault::kCommand, fault.what());
     }
+    if (declaration.wants_info()) return Say{info_text()};
     if (declaration.wants_version()) return Say{"whittle " WHITTLE_VERSION "\n"};
     const auto rest = declaration.app().remaining();
     if (!rest.empty()) return unexpected_word(rest, declaration.app());

@@ -44,7 +44,9 @@ Job job_of(const std::string& format) {
 
 // The messages and nothing else, as OpenSCAD puts them in the file; a scene that is wrong leaves them there too.
 Exit write_echo(Session& session, const std::string& path) {
+    session.console.tell_echoes(false);
     const auto evaluated = read_text_of_scene(session, {});
+    session.console.tell_echoes(true);
     if (!evaluated) return give_up(session, evaluated.error());
     const auto written = write_output(path, echo_text(evaluated->diagnostics, evaluated->sources));
     if (!written) return give_up(session, written.error());

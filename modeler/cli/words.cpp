@@ -2,6 +2,7 @@
 #include "modeler/cli/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "modeler/cli/numbers.h"
@@ -27,6 +28,13 @@ std::optional<std::vector<int>> pixels_in(const std::string& text, std::size_t c
 }
 
 }  // namespace
+
+bool read_view(const std::string& text, bool& edges) {
+    static constexpr std::array kKnown{"axes", "crosshairs", "edges", "scales", "wireframe"};
+    const auto words = words_in(text);
+    edges = std::find(words.begin(), words.end(), "edges") != words.end();
+    return std::all_of(words.begin(), words.end(), [](const std::string& word) { return std::find(kKnown.begin(), kKnown.end(), word) != kKnown.end(); });
+}
 
 std::vector<std::string> words_in(const std::string& text) {
     std::vector<std::string> words;

@@ -24,4 +24,7 @@ bool read_clip(const std::string& text, std::vector<std::array<double, 4>>& clip
 bool read_tile(const std::string& text, std::optional<TileRegion>& region);           // x,y,w,h
 bool read_shard(const std::string& text, Shard& shard);                               // k/n, k from 1
 
+// Words of --view, separated by commas: `edges` is set where it is among them.
+bool read_view(const std::string& text, bool& edges);
+
 }  // namespace whittle

@@ -19,29 +19,29 @@ _whittle() {
     case $verb in
         render)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
                 --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
                 --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --simplify --remesh --binary
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --simplify --remesh --binary
                 --ascii --report -o" ;;
         check)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --lines --heat --suite" ;;
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --lines --heat --suite" ;;
         measure)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable" ;;
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable" ;;
         spans)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --ray --rays" ;;
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --ray --rays" ;;
         merge)
-            options="-h --help -v --version --threads --seed --progress --diagnostics --json -q --stats --limit-time --limit-memory --disable
+            options="-h --help -v --version --threads --seed --progress --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable
                 -o" ;;
         *)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
-                --diagnostics --json -q --stats --limit-time --limit-memory --disable --export-format --check-parameters
-                --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug --imgsize --camera --viewall --autocenter --projection --samples --light-samples
+                --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --export-format --check-parameters
+                --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug -m -O -s -x --view --info --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
                 --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
     esac

@@ -1,6 +1,8 @@
 // test_fonts.cpp — the program and fonts: opened by text() only, a missing one is named with what stands in for it.
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
+
 #include "run_program.h"
 
 TEST_CASE("fonts are opened by scenes with text only") {
@@ -37,4 +39,41 @@ TEST_CASE("what has no exact form is said once and counted") {
     REQUIRE(first != std::string::npos);
     CHECK(out.err.find("hull() has no exact form here", first + 1) == std::string::npos);
     CHECK(contains(folder.read("s.json"), "\"mesh.fallback\": 2"));  // the second hull finds the meshes of the first
+}
+
+TEST_CASE("OPENSCAD_FONT_PATH names folders of fonts") {
+    const TemporaryFolder folder;
+    const std::string font = run_program("/usr/bin/fc-match", {"-f", "%{file}", "Liberation Sans"}).out;
+    REQUIRE(contains(font, "Liberation"));
+    std::filesystem::create_directory(folder.path() / "own");
+    std::filesystem::create_directory(folder.path() / "none");
+    std::filesystem::copy_file(font, folder.path() / "own" / std::filesystem::path(font).filename());
+    // A machine without fonts.
+    const std::string none = folder.name("none");
+    const std::string bare = folder.file("fonts.conf", "<?xml version=\"1.0\"?><fontconfig><dir>" + none + "</dir><cachedir>" + none + "</cachedir></fontconfig>");
+    const std::string scene = folder.file("part.scad", "linear_extrude(1) text(\"H\", font = \"Liberation Sans\");");
+    const auto spans = [&](const std::string& path) {
+        return run_program("/usr/bin/env", {"FONTCONFIG_FILE=" + bare, "OPENSCAD_FONT_PATH=" + path, WHITTLE_PROGRAM, "spans", scene, "--ray=-5,5,0.5,1,0,0"});
+    };
+    const Outcome without = spans(""), with = spans(folder.name("own"));
+    CHECK(without.code == 1);
+    CHECK(contains(without.err, "no font is installed"));
+    CHECK(with.code == 0);
+    CHECK(with.err.empty());
+    CHECK(contains(with.out, "in  t 6.13"));
+}
+
+TEST_CASE("a letter is made of its font's curves, and of chords where facets are asked for") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", "linear_extrude(2) text(\"o\", size = 10, font = \"Liberation Sans\");");
+    const auto normal = [&](const std::string& curves) { return run_whittle({"spans", scene, "--curves=" + curves, "--ray=-5,4.3,1,1,0,0.001", "--json"}); };
+    const Outcome curved = normal("auto"), faceted = normal("faceted");
+    CHECK(curved.code == 0);
+    CHECK(faceted.code == 0);
+    CHECK(contains(curved.out, "\"certified\":true"));
+    CHECK_FALSE(contains(curved.out, "\"certified\":false"));
+    CHECK(curved.out != faceted.out);
+    const Outcome agree = run_whittle({"check", scene});
+    CHECK(agree.code == 0);
+    CHECK(contains(agree.out, "genus 1, 1 shells"));
 }

@@ -86,7 +86,7 @@ TEST_CASE("files that include or use each other end, and say so") {
     const Outcome includes = echo_of(folder, "include <b.scad>\n");
     CHECK(includes.code == 0);
     CHECK(folder.read("a.echo") == "WARNING: Can't open include file 'b.scad'.\nECHO: \"c\"\nECHO: \"b\"\n");
-    CHECK(contains(includes.err, "asked for in file c.scad, line 1; it is being read already: files include each other"));
+    CHECK(contains(includes.err, "include <b.scad>\n^\nasked for in file c.scad, line 1; it is being read already: files include each other"));
     folder.file("d.scad", "use <e.scad>\nfunction d() = 1 + e();\nfunction one() = 1;\n");
     folder.file("e.scad", "use <d.scad>\nfunction e() = one();\n");
     CHECK(echo_of(folder, "use <d.scad>\necho(d());\n").code == 0);

@@ -176,8 +176,20 @@ TEST_CASE("what is named in the documents and not there yet is refused, never pa
     CHECK_FALSE(refusal({"mesh", "a.scad", "--simplify", "-1"}).empty());
     CHECK_FALSE(refusal({"check", "a.scad", "--booleans", "nef"}).empty());
     CHECK(refusal({"check", "a.scad", "b.scad"}) == "one scene at a time: 'b.scad' is a second");
-    CHECK(refusal({"-o", "a.png", "--view", "axes", "a.scad"}) == "--view is not supported yet");
+    CHECK(refusal({"-o", "a.png", "--summary", "all", "a.scad"}) == "--summary is not supported yet");
     CHECK(contains(refusal({"view", "a.scad"}), "render --watch"));
+}
+
+TEST_CASE("all of OpenSCAD 2021.01's options are taken") {
+    const auto parsed = parse_command_line({"-o", "a.stl", "-m", "make", "-O", "export-pdf/a=b", "--view=axes,edges", "--quiet", "-d", "a.deps", "--render=cgal", "a.scad"});
+    REQUIRE(parsed);
+    const auto& request = std::get<Request>(*parsed);
+    CHECK(request.render.options.edges);
+    CHECK(request.common.quiet);
+    CHECK(std::get<Request>(*parse_command_line({"-o", "a.png", "--view", "axes", "a.scad"})).render.options.edges == false);
+    CHECK(contains(refusal({"-o", "a.png", "--view", "axes,egdes", "a.scad"}), "--view wants axes"));
+    CHECK(std::get<Request>(*parse_command_line({"-s", "old.stl", "-x", "old.dxf", "a.scad"})).outputs == std::vector<std::string>{"old.stl", "old.dxf"});
+    CHECK(contains(std::get<Say>(*parse_command_line({"--info"})).text, "whittle "));
 }
 
 TEST_CASE("options that choose what Whittle does not have two of are passed over") {
