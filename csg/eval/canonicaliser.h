@@ -106,7 +106,7 @@ private:
 
     // 0 where the true curve is meant, else the number of facets of a circle of radius r.
     int facets_of_circle(const SceneNode& node, double r);
-    Resolution resolution(const SceneNode& node) const { return {node.facets.fn, node.facets.fa, node.facets.fs}; }
+    Resolution resolution(const SceneNode& node) const { return {node.facets.fn, node.facets.fa, node.facets.fs, node.facets.fe}; }
 
     // Says why something is not in the solid.
     Made left_out(SourcePlace place, std::string text, std::string hint = {});

@@ -229,6 +229,6 @@ struct Program {
 };
 
 // $-variables that the program itself reads.
-enum Dynamic : std::uint32_t { kFn, kFa, kFs, kT, kPreview, kVpr, kVpt, kVpd, kVpf, kParentModules, kWellKnown };
+enum Dynamic : std::uint32_t { kFn, kFa, kFs, kT, kPreview, kVpr, kVpt, kVpd, kVpf, kParentModules, kFe, kWellKnown };
 
 }  // namespace whittle::code

@@ -16,7 +16,7 @@ Program lower(const std::vector<std::unique_ptr<FileSyntax>>& files, Names& name
 Lowering::Lowering(const std::vector<std::unique_ptr<FileSyntax>>& files, Names& names, Heap& heap) : files_(files), names_(names), heap_(heap) {
     for (const BuiltinFunction& f : builtin_functions()) builtin_functions_.emplace(names_.intern(f.name), builtin_functions_.size());
     for (const BuiltinModule& m : builtin_modules()) builtin_modules_.emplace(names_.intern(m.name), builtin_modules_.size());
-    for (const char* name : {"$fn", "$fa", "$fs", "$t", "$preview", "$vpr", "$vpt", "$vpd", "$vpf", "$parent_modules"}) dynamic(names_.intern(name));
+    for (const char* name : {"$fn", "$fa", "$fs", "$t", "$preview", "$vpr", "$vpt", "$vpd", "$vpf", "$parent_modules", "$fe"}) dynamic(names_.intern(name));
 }
 
 std::uint32_t Lowering::dynamic(NameId name) {

@@ -129,7 +129,7 @@ void Machine::undo(std::size_t mark) {
 
 Facets Machine::facets() const {
     const auto number = [this](std::uint32_t which, double otherwise) { return cells_[which].is_number() ? cells_[which].number() : otherwise; };
-    return {number(kFn, 0), number(kFa, 0), number(kFs, 0)};
+    return {number(kFn, 0), number(kFa, 0), number(kFs, 0), number(kFe, 0)};
 }
 
 }  // namespace whittle

@@ -21,7 +21,7 @@ namespace whittle {
 using SceneNodeId = std::uint32_t;
 
 // $fn, $fa, $fs in force where a node was evaluated.
-struct Facets { double fn = 0, fa = 12, fs = 2; bool operator==(const Facets&) const = default; };
+struct Facets { double fn = 0, fa = 12, fs = 2, fe = 0; bool operator==(const Facets&) const = default; };
 
 namespace scene {
 

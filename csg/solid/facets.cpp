@@ -17,6 +17,9 @@ constexpr double kMostFragments = 1 << 24;
 
 int to_count(double x, double least) { return static_cast<int>(std::clamp(x, least, kMostFragments)); }
 
+// Of the radius: how far a pentagon's sides are from its circle, 1 - cos 36 degrees.
+constexpr double kErrorOfFive = 0.19098300562505255;
+
 double square(double x) { return x * x; }
 
 // Length of the curve r = a + b*angle, angle from 0 to `turn`; the polar arc length integral in closed form.
@@ -34,6 +37,10 @@ double spiral_length(double a, double b, double turn) {
 int fragments(double r, const Resolution& resolution) {
     if (r < kGridFine || !std::isfinite(resolution.fn)) return 3;
     if (resolution.fn > 0) return to_count(resolution.fn, 3);
+    if (const double share = resolution.fe / r; resolution.fe >= kGridFine) {
+        const double most = std::max(std::min(360 / kSmallestResolution, r * 2 * kPi / kSmallestResolution), 5.0);
+        return share < kErrorOfFive ? to_count(std::ceil(std::min(most, kPi / std::acos(1 - share))), 5) : 5;
+    }
     const double fa = std::max(resolution.fa_deg, kSmallestResolution), fs = std::max(resolution.fs, kSmallestResolution);
     return to_count(std::ceil(std::max(std::min(360 / fa, r * 2 * kPi / fs), 5.0)), 3);
 }
@@ -64,8 +71,11 @@ int extrusion_slices(const Contours& profile, double height, double twist_deg, V
     const double turn_deg = std::fabs(twist_deg), least = std::max(1.0, std::ceil(turn_deg / 120));
     if (fn > 0) return to_count(std::ceil(turn_deg / 360 * fn), least);
     const double turn = turn_deg * kPi / 180, radius = std::sqrt(farthest);
+    const bool spiral_up = uniform && scale_top.x != 1;
+    if (resolution.fe > 0 && !spiral_up)  // the chord of a step of a helix, its ends on a circle
+        return resolution.fe < radius ? to_count(std::ceil(turn / (2 * std::acos(1 - resolution.fe / radius))), least) : static_cast<int>(least);
     double length;
-    if (uniform && scale_top.x != 1) {
+    if (spiral_up) {
         const double base = scale_top.x > 1 ? radius / scale_top.x : radius;  // OpenSCAD lets the farthest corner end, not start, at its radius
         const double spiral = spiral_length(base, base * (scale_top.x - 1) / turn, turn);
         length = std::sqrt(square(spiral) + square(height));

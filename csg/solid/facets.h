@@ -11,8 +11,9 @@
 
 namespace whittle {
 
-// $fn, $fa and $fs as a formula reads them: $fn > 0 fixes the number; else the finer need of angle and length, at least 5.
-struct Resolution { double fn = 0, fa_deg = 12, fs = 2; };
+// $fn, $fa, $fs and $fe as a formula reads them: $fn > 0 fixes the number; else $fe > 0, the chord error of later versions, does, with 5 facets at least and
+// none shorter than 0.01 or turning by less; else the finer need of angle and length, at least 5.
+struct Resolution { double fn = 0, fa_deg = 12, fs = 2, fe = 0; };
 
 // OpenSCAD's number of facets of a circle of radius r, at least 3; negative $fn counts as 0, $fa and $fs are at least 0.01.
 int fragments(double r, const Resolution& resolution);

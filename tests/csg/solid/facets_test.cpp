@@ -216,3 +216,15 @@ TEST_CASE("facets that are not flat are cut, flat ones stay") {
     CHECK_FALSE(is_flat(mesh, mesh.facets[1]));
     CHECK(is_convex(mesh, mesh.facets[0]));
 }
+
+TEST_CASE("$fe bounds the chord error, of circles and of helices") {
+    CHECK(fragments(10, {0, 12, 2, 0.1}) == 23);   // pi / acos(1 - 0.01) = 22.2
+    CHECK(fragments(10, {8, 12, 2, 0.1}) == 8);    // $fn goes first
+    CHECK(fragments(10, {0, 12, 2, 5}) == 5);
+    CHECK(fragments(0.01, {0, 12, 2, 1e-5}) == 7);  // none shorter than 0.01
+    CHECK(fragments(10, {0, 12, 2, 0}) == 30);
+    for (const double r : {1.0, 10.0, 300.0}) CHECK(r * (1 - std::cos(3.14159265358979323846 / fragments(r, {0, 12, 2, 0.02}))) <= 0.02);
+    const Contours square{{{10, 0}, {0, 10}, {-10, 0}, {0, -10}}};
+    CHECK(extrusion_slices(square, 20, 180, {1, 1}, {0, 12, 2, 0.1}) == 12);
+    CHECK(extrusion_slices(square, 20, 180, {1, 1}, {0, 12, 2, 50}) == 2);
+}
