@@ -89,7 +89,7 @@ Result<std::shared_ptr<const FacetList>> Canonicaliser::facets_of_use(const char
 }
 
 bool Canonicaliser::has_corners_only(NodeId id) const {
-    if (const auto* s = std::get_if<Shape>(&builder_.node(id))) return !std::holds_alternative<shape::Disc>(*s);
+    if (const auto* s = std::get_if<Shape>(&builder_.node(id))) return !is_curved_2d(*s);
     const auto& operands = std::get<Combination>(builder_.node(id)).operands;
     return std::all_of(operands.begin(), operands.end(), [&](const Use& use) { return has_corners_only(use.node); });
 }

@@ -25,10 +25,10 @@ Shape upright(const SolidBuilder& builder, const shape::Extrusion& e) {
     return e;
 }
 
-bool has_discs(const SolidBuilder& builder, NodeId id) {
+bool has_curves(const SolidBuilder& builder, NodeId id) {
     if (const auto* c = std::get_if<Combination>(&builder.node(id)))
-        return std::any_of(c->operands.begin(), c->operands.end(), [&](const Use& use) { return has_discs(builder, use.node); });
-    return std::holds_alternative<shape::Disc>(std::get<Shape>(builder.node(id)));
+        return std::any_of(c->operands.begin(), c->operands.end(), [&](const Use& use) { return has_curves(builder, use.node); });
+    return is_curved_2d(std::get<Shape>(builder.node(id)));
 }
 
 // The extrusion of a placed 2D set that shrinks or grows evenly on its way up, `e.profile` left open. Set operations commute with it, and a disc becomes a cone,
@@ -51,6 +51,11 @@ Use tapered(SolidBuilder& builder, const shape::Extrusion& e, const Use& flat, c
             made.placement.m[static_cast<std::size_t>(4 * i + 2)] = lean * placement.offset(i);
             made.placement.m[static_cast<std::size_t>(4 * i + 3)] = placement.offset(i) * (1 - lean * e.z0);
         }
+    } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&std::get<Shape>(builder.node(flat.node)))) {
+        const auto at = [&](Vec2 p) { return Vec2(apply_to_point(placement, {p.x, p.y, 0})); };
+        shape::Extrusion part = e;
+        part.profile = builder.shape(shape::ParabolicSegment{at(segment->a), at(segment->c), at(segment->b)});
+        made.node = builder.shape(part);
     } else {
         shape::Extrusion part = e;
         Use profile;
@@ -108,7 +113,7 @@ Made Canonicaliser::extruded_upright(SceneNodeId id, const scene::LinearExtrude&
     }
     e.profile = node_of(flat);
     e.slices = slices_of(node, what, e);
-    if (e.twist_deg == 0 && e.scale_top.x == e.scale_top.y && has_discs(builder_, e.profile)) {
+    if (e.twist_deg == 0 && e.scale_top.x == e.scale_top.y && has_curves(builder_, e.profile)) {
         Use made = tapered(builder_, e, flat, {}, {{}, node.place, {}});
         if (made.node == kEmptyNode) return {};
         return {made, Dimension::kSolid};

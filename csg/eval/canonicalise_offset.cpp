@@ -14,7 +14,7 @@ namespace whittle {
 namespace {
 
 bool has_straight_sides(const Solid& solid, NodeId id) {
-    if (const auto* s = std::get_if<Shape>(&solid.node(id))) return !std::holds_alternative<shape::Disc>(*s);
+    if (const auto* s = std::get_if<Shape>(&solid.node(id))) return !is_curved_2d(*s);
     const auto& operands = std::get<Combination>(solid.node(id)).operands;
     return std::all_of(operands.begin(), operands.end(), [&](const Use& use) { return has_straight_sides(solid, use.node); });
 }

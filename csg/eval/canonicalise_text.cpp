@@ -1,6 +1,5 @@
-// canonicalise_text.cpp — text(): glyphs as polygons with OpenSCAD's chords, or with so many that no eye sees them where true curves are meant.
+// canonicalise_text.cpp — text(): glyphs as polygons with OpenSCAD's chords, or with their own curves where true ones are meant.
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,13 +8,6 @@
 #include "csg/eval/imports.h"
 
 namespace whittle {
-namespace {
-
-// Where true curves are meant: 24 chords a curve, which are no farther from it than 1/2304 of its second difference. That is below 1e-4 of the size in
-// the fonts looked at, a tenth of a pixel where a letter fills a picture.
-constexpr int kSmoothFacets = 8 * 23;
-
-}  // namespace
 
 Made Canonicaliser::primitive(const SceneNode& node, const scene::Text& what) {
     const TextRequest& request = what.request;
@@ -33,7 +25,7 @@ Made Canonicaliser::primitive(const SceneNode& node, const scene::Text& what) {
         diagnostics_.add(Severity::kWarning, node.place, fmt::format("Font '{}' is not installed, '{}' stands in for it", request.font, text->font));
 
     std::vector<Use> glyphs;
-    for (const DrawnFigure& outline : text->outlines) glyphs.push_back(drawn_set(builder_, Drawing{{outline}, {}}, [facets](double) { return facets > 0 ? facets : kSmoothFacets; }));
+    for (const DrawnFigure& outline : text->outlines) glyphs.push_back(drawn_set(builder_, Drawing{{outline}, {}}, [facets](double) { return facets; }));
     std::vector<Use> uses;
     for (const TextGlyph& glyph : text->glyphs) {
         if (glyphs[glyph.outline].node == kEmptyNode) continue;

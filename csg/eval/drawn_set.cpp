@@ -1,46 +1,69 @@
-// drawn_set.cpp — drawings as 2D sets. A contour with arcs is the polygon of its chords, united with the circular segments that bulge out of it and less those
-// that bulge into it; arcs are halved until no segment reaches another side, so that this is the set itself.
+// drawn_set.cpp — drawings as 2D sets. A contour with curves is the polygon of its chords, united with the segments (between a curve and its chord) that bulge
+// out of it and less those that bulge into it; curves are halved until no segment reaches another side, so that this is the set itself. Arcs are those of
+// discs, quadratic Bezier curves those of parabolas; cubic ones become several quadratic ones.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "csg/base/degrees.h"
 #include "csg/eval/imports.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/parabola.h"
+#include "csg/solid/predicates.h"
 #include "csg/solid/profile.h"
 
 namespace whittle {
 namespace {
 
-// Halvings of an arc at most: pieces of a 64th of it.
+// How far the quadratic curves that stand for a cubic one are from it, of the drawing's size.
+constexpr double kCubicTolerance = kProfileTolerance / 8;
+// What overlaps by no more of its size, by rounding, only touches.
+constexpr double kTouching = 0x1p-40;
+// Halvings of a curve at most: pieces of a 64th of it.
 constexpr int kMostHalvings = 6;
 // Centres and radii of arcs of one circle differ by the rounding of their ends.
 constexpr double kSameCircle = 0x1p-40;
 // An angle that went through a tangent and back must not count one facet more.
 constexpr double kCountSlack = 0x1p-32;
 
-// A side with both ends: straight where bulge is 0.
+// A side with both ends: straight, an arc where bulge is not 0, or a quadratic Bezier curve with that control point.
 struct Side {
     Vec2 a, b;
     double bulge = 0;
-    int halvings = 0;
+    std::optional<Vec2> control;
+    bool is_straight() const { return bulge == 0 && !control; }
 };
 using Sides = std::vector<Side>;
+using Quad = std::array<Vec2, 4>;
 
 Vec2 right_of(Vec2 v) { return {v.y, -v.x}; }
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
 double radius_of(const Side& s) { return glm::length(s.b - s.a) * (1 + s.bulge * s.bulge) / (4 * std::fabs(s.bulge)); }
-// From the chord to the arc's middle: an arc that turns left bulges to the right.
+// From an arc's chord to its middle: an arc that turns left bulges to the right.
 Vec2 rise_of(const Side& s) { return right_of(s.b - s.a) * (s.bulge / 2); }
 Vec2 middle_of(const Side& s) { return (s.a + s.b) / 2.0 + rise_of(s); }
 Vec2 centre_of(const Side& s) { return (s.a + s.b) / 2.0 - right_of(s.b - s.a) * ((1 - s.bulge * s.bulge) / (4 * s.bulge)); }
+shape::ParabolicSegment parabola_of(const Side& s) { return {s.a, *s.control, s.b}; }
+// Does the side bulge to the right of its chord?
+bool is_right(const Side& s) { return s.control ? cross(s.b - s.a, *s.control - s.a) < 0 : s.bulge > 0; }
 
 std::pair<Side, Side> halves_of(const Side& s) {
+    if (s.control) {
+        const auto [first, second] = parabola_halves(parabola_of(s));
+        return {{first.a, first.b, 0, first.c}, {second.a, second.b, 0, second.c}};
+    }
     const double half = s.bulge / (1 + std::sqrt(1 + s.bulge * s.bulge));  // tan of half the angle
     const Vec2 m = middle_of(s);
-    return {{s.a, m, half, s.halvings + 1}, {m, s.b, half, s.halvings + 1}};
+    return {{s.a, m, half, {}}, {m, s.b, half, {}}};
+}
+
+// Convex, around a side and its chord: of a Bezier curve up to its tangent along the chord.
+Quad box_of(const Side& s) {
+    if (s.control) return {s.a, s.b, (*s.control + s.b) / 2.0, (s.a + *s.control) / 2.0};
+    return {s.a, s.b, s.b + rise_of(s), s.a + rise_of(s)};
 }
 
 Vec2 bezier_point(const Vec2& start, const DrawnSide& side, double t) {
@@ -48,16 +71,6 @@ Vec2 bezier_point(const Vec2& start, const DrawnSide& side, double t) {
     for (int n = side.degree; n > 0; --n)
         for (int i = 0; i < n; ++i) p[static_cast<std::size_t>(i)] = glm::mix(p[static_cast<std::size_t>(i)], p[static_cast<std::size_t>(i + 1)], t);
     return p[0];
-}
-
-// Chords that keep within the tolerance: the second differences bound how far a curve is from its chords.
-int chords_of(const Vec2& start, const DrawnSide& side, double tolerance) {
-    const std::array<Vec2, 4> p{start, side.p[0], side.p[1], side.p[2]};
-    double bend = 0;
-    for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(side.degree); ++i) bend = std::max(bend, glm::length(p[i] - 2.0 * p[i + 1] + p[i + 2]));
-    constexpr double kMostChords = 4096;
-    const double n = std::sqrt(side.degree * (side.degree - 1) * bend / (8 * tolerance));
-    return static_cast<int>(std::clamp(std::ceil(n), 1.0, kMostChords));
 }
 
 class Drawer {
@@ -95,24 +108,26 @@ private:
         Sides out;
         Vec2 at = contour.start;
         const auto line_to = [&](Vec2 to) {
-            if (to != at) out.push_back({at, to, 0, 0});
+            if (to != at) out.push_back({at, to, 0, {}});
             at = to;
         };
         for (std::size_t i = 0; i < contour.sides.size(); ++i) {
             const DrawnSide& side = contour.sides[i];
-            const Side arc{at, side.end(), side.bulge, 0};
+            const Side arc{at, side.end(), side.bulge, {}};
             if (side.degree > 1) {
                 const int asked = facets_(size_);
-                const int n = asked > 0 ? std::max(2, asked / 8 + 1) : chords_of(at, side, size_ * kProfileTolerance / 8);
                 const Vec2 start = at;
-                for (int k = 1; k <= n; ++k) line_to(k == n ? side.end() : bezier_point(start, side, 1.0 * k / n));
+                const int n = std::max(2, asked / 8 + 1);
+                for (int k = 1; asked > 0 && k <= n; ++k) line_to(k == n ? side.end() : bezier_point(start, side, 1.0 * k / n));
+                if (asked == 0) add_bezier(out, start, side);
+                at = side.end();
             } else if (side.bulge == 0 || arc.a == arc.b) {
                 line_to(side.end());
             } else if (const int n = facets_(radius_of(arc)); n > 0) {
                 // Arcs that go on along the same circle are one.
                 double turn_deg = angle_deg(arc);
                 for (Vec2 from = arc.b; i + 1 < contour.sides.size(); ++i, from = contour.sides[i].end()) {
-                    const Side next{from, contour.sides[i + 1].end(), contour.sides[i + 1].bulge, 0};
+                    const Side next{from, contour.sides[i + 1].end(), contour.sides[i + 1].bulge, {}};
                     if (contour.sides[i + 1].degree > 1 || !same_circle(arc, next)) break;
                     turn_deg += angle_deg(next);
                 }
@@ -129,12 +144,20 @@ private:
     // Halved until a piece turns by 90 degrees at most.
     static void add_arc(Sides& out, const Side& arc) {
         if (std::fabs(arc.bulge) <= std::sqrt(2.0) - 1 + 0x1p-40) {
-            out.push_back({arc.a, arc.b, arc.bulge, 0});
+            out.push_back(arc);
             return;
         }
         const auto [first, second] = halves_of(arc);
         add_arc(out, first);
         add_arc(out, second);
+    }
+    void add_bezier(Sides& out, Vec2 start, const DrawnSide& side) const {
+        const auto add = [&out](const shape::ParabolicSegment& s) {
+            const bool is_straight = turn_of(s.a, s.c, s.b) == 0;
+            if (s.a != s.b) out.push_back({s.a, s.b, 0, is_straight ? std::nullopt : std::optional(s.c)});
+        };
+        if (side.degree == 2) return add({start, side.p[0], side.p[1]});
+        for (const auto& part : parabolas_of_cubic({start, side.p[0], side.p[1], side.p[2]}, size_ * kCubicTolerance)) add(part);
     }
     static double angle_deg(const Side& arc) { return 4 * std::atan(arc.bulge) / kRadiansPerDegree; }
     static bool same_circle(const Side& a, const Side& b) {
@@ -160,7 +183,7 @@ private:
         double turned = 0, radius = 0;
         for (std::size_t i = 0; i < contour.sides.size(); ++i) {
             const DrawnSide& side = contour.sides[i];
-            const Side arc{at, side.end(), side.bulge, 0};
+            const Side arc{at, side.end(), side.bulge, {}};
             if (side.degree > 1 || side.bulge == 0 || arc.a == arc.b) return std::nullopt;
             if (i == 0) centre = centre_of(arc), radius = radius_of(arc);
             if (glm::length(centre_of(arc) - centre) + std::fabs(radius_of(arc) - radius) > kSameCircle * (glm::length(centre) + radius)) return std::nullopt;
@@ -199,29 +222,30 @@ private:
         return of(SetOp::kDifference, {disc(*a), disc(*b)});
     }
 
-    // The box around a side along its chord, and whether it meets another's: by the four directions of the two boxes.
-    static std::array<Vec2, 4> box_of(const Side& s) { return {s.a, s.b, s.b + rise_of(s), s.a + rise_of(s)}; }
-    static bool apart(const std::array<Vec2, 4>& p, const std::array<Vec2, 4>& q, Vec2 direction) {
+    // Do two convex boxes not meet, but for touching? By the directions across the sides of both.
+    static bool apart(const Quad& p, const Quad& q, Vec2 direction) {
         double p_lo = HUGE_VAL, p_hi = -HUGE_VAL, q_lo = HUGE_VAL, q_hi = -HUGE_VAL;
         for (std::size_t i = 0; i < 4; ++i) {
             const double x = glm::dot(p[i], direction), y = glm::dot(q[i], direction);
             p_lo = std::min(p_lo, x), p_hi = std::max(p_hi, x), q_lo = std::min(q_lo, y), q_hi = std::max(q_hi, y);
         }
-        return p_hi < q_lo || q_hi < p_lo;
+        const double room = kTouching * std::max(p_hi - p_lo, q_hi - q_lo);
+        return p_hi <= q_lo + room || q_hi <= p_lo + room;
     }
     static bool may_meet(const Side& s, const Side& t) {
         const auto p = box_of(s), q = box_of(t);
-        for (const Side* side : {&s, &t}) {
-            const Vec2 along = side->b - side->a;
-            if (apart(p, q, along) || apart(p, q, right_of(along))) return false;
-        }
+        for (const Quad* box : {&p, &q})
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Vec2 along = (*box)[(i + 1) % 4] - (*box)[i];
+                if (along != Vec2(0) && apart(p, q, right_of(along))) return false;
+            }
         return true;
     }
 
-    // Halves every arc whose segment may reach a side that is not its neighbour.
+    // Halves every curve whose segment may reach another side.
     static void part(std::vector<Sides>& contours) {
         for (int round = 0; round < kMostHalvings; ++round) {
-            const auto reaching = reaching_arcs(contours);
+            const auto reaching = reaching_curves(contours);
             bool parted = false;
             for (std::size_t c = 0; c < contours.size(); ++c) {
                 const Sides now = std::exchange(contours[c], {});
@@ -241,7 +265,7 @@ private:
     }
 
     // Sides sorted by where they begin in x: each is held against those that begin before it ends.
-    static std::vector<std::vector<bool>> reaching_arcs(const std::vector<Sides>& contours) {
+    static std::vector<std::vector<bool>> reaching_curves(const std::vector<Sides>& contours) {
         struct Boxed { Vec2 lo, hi; std::size_t contour, side; };
         std::vector<Boxed> boxed;
         std::vector<std::vector<bool>> reaching;
@@ -258,17 +282,12 @@ private:
                 const Boxed &a = boxed[i], &b = boxed[k];
                 if (a.lo.y > b.hi.y || b.lo.y > a.hi.y) continue;
                 const Side &s = contours[a.contour][a.side], &t = contours[b.contour][b.side];
-                if ((s.bulge == 0 && t.bulge == 0) || are_neighbours(contours, a.contour, a.side, b.contour, b.side) || !may_meet(s, t)) continue;
-                if (s.bulge != 0) reaching[a.contour][a.side] = true;
-                if (t.bulge != 0) reaching[b.contour][b.side] = true;
+                if ((s.is_straight() && t.is_straight()) || !may_meet(s, t)) continue;
+                if (!s.is_straight()) reaching[a.contour][a.side] = true;
+                if (!t.is_straight()) reaching[b.contour][b.side] = true;
             }
         return reaching;
     }
-    static bool are_neighbours(const std::vector<Sides>& contours, std::size_t c, std::size_t i, std::size_t d, std::size_t k) {
-        const std::size_t n = contours[c].size();
-        return c == d && ((i + 1) % n == k || (k + 1) % n == i);
-    }
-
     // Is a point just right of the chord's middle inside the polygon of all chords?
     static bool inside_right_of(const std::vector<Sides>& contours, const Side& s) {
         const Vec2 m = (s.a + s.b) / 2.0, out = right_of(s.b - s.a);
@@ -294,9 +313,8 @@ private:
                 for (const Side& s : sides) points.push_back(s.a);
             }
             for (const Side& s : sides) {
-                if (s.bulge == 0) continue;
-                const Side outward = s.bulge > 0 ? s : Side{s.b, s.a, -s.bulge, 0};
-                (inside_right_of(contours, s) == (s.bulge > 0) ? less : more).push_back(segment(outward));
+                if (s.is_straight()) continue;
+                (inside_right_of(contours, s) == is_right(s) ? less : more).push_back(segment(s));
             }
         }
         if (!polygon->empty()) more[0] = of(shape::Polygon{std::move(polygon)});
@@ -305,8 +323,10 @@ private:
         return less.size() == 1 ? less[0] : of(SetOp::kDifference, std::move(less));
     }
 
-    // Between the chord and the arc right of it; the strip around it is twice as high, so that only the chord and the arc bound it.
-    Use segment(const Side& s) {
+    // Between the chord and the curve; an arc's strip is twice as high, so that only the chord and the arc bound it.
+    Use segment(const Side& side) {
+        if (side.control) return of(parabola_of(side));
+        const Side s = side.bulge > 0 ? side : Side{side.b, side.a, -side.bulge, {}};
         const Vec2 rise = 2.0 * rise_of(s), c = centre_of(s);
         const Use strip = of(shape::Polygon{std::make_shared<const Contours>(Contours{{s.a, s.a + rise, s.b + rise, s.b}})});
         return of(SetOp::kIntersection, {of(shape::Disc{radius_of(s)}, Placement::translation({c.x, c.y, 0})), strip});

@@ -18,8 +18,8 @@ bool is_drawing_suffix(std::string_view suffix);
 // Number of facets of a full circle of that radius, 0 for the true one.
 using FacetsOfCircle = std::function<int(double radius)>;
 
-// A drawing as a 2D set: arcs stay arcs (polygons of the chords, with circular segments added and taken away) unless facets are asked for; Bezier curves
-// become chords no further from the curve than kProfileTolerance of the drawing's size, or as many as the facets of a circle of that size.
+// A drawing as a 2D set: curves stay curves (polygons of the chords, with segments of discs and parabolas added and taken away) unless facets are asked for,
+// as many chords for a Bezier curve as a circle of the drawing's size has facets. Cubic Bezier curves are told by quadratic ones within 2^-17 of the size.
 // Requires: finite coordinates.
 Use drawn_set(SolidBuilder& builder, const Drawing& drawing, const FacetsOfCircle& facets);
 

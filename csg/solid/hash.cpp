@@ -77,6 +77,7 @@ struct AddShape {
             for (const Vec2& p : contour) h.add(p);
         }
     }
+    void operator()(const shape::ParabolicSegment& s) const { h.add(s.a), h.add(s.c), h.add(s.b); }
 };
 
 // x + 0 is x, but 0 for -0.
@@ -112,6 +113,7 @@ struct DropNegativeZero {
             for (Vec2& p : contour) fix(p);
         s.contours = std::move(copy);
     }
+    void operator()(shape::ParabolicSegment& s) const { fix(s.a), fix(s.c), fix(s.b); }
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "csg/base/degrees.h"
 #include "csg/solid/clean_paths.h"
+#include "csg/solid/parabola.h"
 
 namespace whittle {
 namespace {
@@ -107,6 +108,8 @@ private:
             paths.push_back(path_of({r->lo, {r->hi.x, r->lo.y}, r->hi, {r->lo.x, r->hi.y}}, placement));
         } else if (const auto* polygon = std::get_if<shape::Polygon>(&s)) {
             for (const auto& contour : *polygon->contours) paths.push_back(path_of(contour, placement));
+        } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&s)) {
+            paths.push_back(path_of(parabola_corners(*segment, parabola_chords(*segment, tolerance_ / stretch(placement))), placement));
         }
         return executed(ClipperLib::ctUnion, paths, {}, ClipperLib::pftEvenOdd);
     }

@@ -6,6 +6,7 @@
 #include "csg/base/degrees.h"
 #include "csg/solid/directed.h"
 #include "csg/solid/placement.h"
+#include "csg/solid/predicates.h"
 
 namespace whittle {
 namespace {
@@ -142,6 +143,13 @@ struct BoundsOf {
         for (const auto& contour : *s.contours)
             for (const Vec2& p : contour) include(b, {p.x, p.y, 0});
         return b;
+    }
+    // The arc stays below the tangent along the chord, which halves the control point's two sides.
+    Bounds operator()(const shape::ParabolicSegment& s) const {
+        Bounds b;
+        if (turn_of(s.a, s.c, s.b) == 0) return b;
+        for (const Vec2& p : {s.a, (s.a + s.c) / 2.0, (s.c + s.b) / 2.0, s.b}) include(b, {p.x, p.y, 0});
+        return {{next_down(b.lo.x), next_down(b.lo.y), 0}, {next_up(b.hi.x), next_up(b.hi.y), 0}};
     }
 };
 

@@ -12,7 +12,8 @@ namespace whittle {
 namespace {
 
 bool is_flat_shape(const Shape& s) {
-    return std::holds_alternative<shape::Disc>(s) || std::holds_alternative<shape::Rectangle>(s) || std::holds_alternative<shape::Polygon>(s);
+    return std::holds_alternative<shape::Disc>(s) || std::holds_alternative<shape::Rectangle>(s) || std::holds_alternative<shape::Polygon>(s) ||
+           std::holds_alternative<shape::ParabolicSegment>(s);
 }
 
 NodeId* profile_of(Shape& s) {

@@ -73,11 +73,17 @@ struct Polygon {  // even-odd over all contours
     bool operator==(const Polygon& o) const { return *contours == *o.contours; }
 };
 
+// Between the chord from a to b and the quadratic Bezier curve with control point c, an arc of a parabola. The three are not on one line.
+struct ParabolicSegment { Vec2 a, c, b; bool operator==(const ParabolicSegment&) const = default; };
+
 }  // namespace shape
 
 using Shape = std::variant<shape::Box, shape::Ellipsoid, shape::Frustum, shape::Torus, shape::HalfSpace, shape::Quadric, shape::Capsule,
                            shape::RoundBox, shape::FacetedBall, shape::FacetedFrustum, shape::Polyhedron, shape::Extrusion, shape::Revolution,
-                           shape::Disc, shape::Rectangle, shape::Polygon>;
+                           shape::Disc, shape::Rectangle, shape::Polygon, shape::ParabolicSegment>;
+
+// 2D shapes with a side that is not straight.
+inline bool is_curved_2d(const Shape& s) { return std::holds_alternative<shape::Disc>(s) || std::holds_alternative<shape::ParabolicSegment>(s); }
 
 // What a use adds to the node it uses. Materials nest: the outermost wins, parameter by parameter (nested() in matter.h). The place is that of the
 // primitive and stands on the use of its shape; a label further out has none (line 0), and its part, if any, wins over those within.

@@ -70,6 +70,12 @@ struct ReachOf {
             for (const Vec2& p : contour) h = std::max(h, p.x * d.x + p.y * d.y);
         return h;
     }
+    // Along d the curve is a + 2 (c - a) t + (a - 2 c + b) t^2: farthest at an end or where its slope is 0.
+    Reach operator()(const shape::ParabolicSegment& s) const {
+        const Vec2 way(d.x, d.y);
+        const double a = glm::dot(s.a, way), b = glm::dot(s.b, way), rise = glm::dot(s.c - s.a, way), fall = glm::dot(s.c - s.b, way);
+        return rise > 0 && fall > 0 ? a + rise * (rise / (rise + fall)) : std::max(a, b);
+    }
 };
 
 Reach of_use(const Solid& solid, const Use& use, Vec3 d) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "csg/solid/facets.h"
+#include "csg/solid/parabola.h"
 #include "modeler/check/nearest_point.h"
 #include "modeler/check/placed_facets.h"
 
@@ -57,6 +58,7 @@ bool is_plain(const shape::Extrusion& e) { return e.twist_deg == 0 && e.scale_to
 bool is_inside_2d(const Shape& profile, Vec2 p) {
     if (const auto* disc = std::get_if<shape::Disc>(&profile)) return glm::length(p) < disc->r;
     if (const auto* r = std::get_if<shape::Rectangle>(&profile)) return p.x > r->lo.x && p.x < r->hi.x && p.y > r->lo.y && p.y < r->hi.y;
+    if (const auto* segment = std::get_if<shape::ParabolicSegment>(&profile)) return is_inside(*segment, p);
     bool inside = false;
     if (const auto* polygon = std::get_if<shape::Polygon>(&profile))
         for (const std::vector<Vec2>& c : *polygon->contours)
@@ -269,9 +271,8 @@ private:
 double distance_to_bounds(const Bounds& b, Vec3 p) { return glm::length(glm::max(glm::max(b.lo - p, p - b.hi), Vec3(0))); }
 
 bool is_curved(const PlacedLeaf& leaf) {
-    const auto round_2d = [](const Shape& s) { return std::holds_alternative<shape::Disc>(s); };
-    if (const auto* e = std::get_if<shape::Extrusion>(&leaf.shape)) return round_2d(leaf.profile) || e->twist_deg != 0 || e->scale_top.x != e->scale_top.y;
-    if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape)) return r->fragments == 0 || round_2d(leaf.profile);
+        if (const auto* e = std::get_if<shape::Extrusion>(&leaf.shape)) return is_curved_2d(leaf.profile) || e->twist_deg != 0 || e->scale_top.x != e->scale_top.y;
+    if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape)) return r->fragments == 0 || is_curved_2d(leaf.profile);
     return !(std::holds_alternative<shape::Box>(leaf.shape) || std::holds_alternative<shape::HalfSpace>(leaf.shape));
 }
 

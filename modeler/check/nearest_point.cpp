@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/parabola.h"
 
 namespace whittle {
 
@@ -100,6 +101,7 @@ LeafDistance of_2d(const shape::Polygon& s, Vec2 p) {
         for (std::size_t i = 0; i < contour.size(); ++i) best = std::min(best, distance_to_segment(p, contour[i], contour[(i + 1) % contour.size()]));
     return {kInfiniteDistance, best};
 }
+LeafDistance of_2d(const shape::ParabolicSegment& s, Vec2 p) { return {parabola_distance(s, p), distance_to_segment(p, s.a, s.b)}; }
 template <class Other>
 LeafDistance of_2d(const Other&, Vec2) { return {}; }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/parabola.h"
+
 namespace whittle {
 namespace {
 
@@ -10,6 +12,8 @@ constexpr double kTurn = 6.283185307179586;
 // Steps along one ellipse where another may cross it: two ellipses cross at most four times.
 constexpr int kSteps = 256;
 constexpr int kHalvings = 60;
+// Chord error of a parabola, of its chord.
+constexpr double kParabolaShare = 0x1p-12;
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -165,13 +169,21 @@ void meetings(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vec
 
 FlatSet::FlatSet(const Solid& solid) { root_ = add(solid, solid.root().node, solid.root().placement); }
 
+const Shape& FlatSet::with_chords(const Shape& shape) {
+    const auto* s = std::get_if<shape::ParabolicSegment>(&shape);
+    if (!s) return shape;
+    std::vector<std::vector<Vec2>> ring{parabola_corners(*s, parabola_chords(*s, kParabolaShare * glm::length(s->b - s->a)))};
+    polygons_.push_back(std::make_unique<Shape>(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(std::move(ring))}));
+    return *polygons_.back();
+}
+
 std::uint32_t FlatSet::add(const Solid& solid, NodeId id, const Placement& placement) {
     Node node{};
     if (const auto* c = std::get_if<Combination>(&solid.node(id))) {
         node.op = c->op;
         for (const Use& use : c->operands) node.operands.push_back(add(solid, use.node, placement * use.placement));
     } else {
-        const Shape& shape = std::get<Shape>(solid.node(id));
+        const Shape& shape = with_chords(std::get<Shape>(solid.node(id)));
         const std::size_t first = curves_.size();
         if (const auto* s = std::get_if<shape::Disc>(&shape)) curves_.push_back(flat_ellipse(moved(placement, Vec2(0)), turned(placement, {s->r, 0}), turned(placement, {0, s->r})));
         std::vector<std::vector<Vec2>> rings;

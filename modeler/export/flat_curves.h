@@ -1,6 +1,7 @@
 // flat_curves.h — the sides of 2D leaves, where they meet, and whether a point is in the set. Internal to flat_outline.cpp.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "csg/solid/solid.h"
@@ -37,6 +38,9 @@ private:
     struct Node { SetOp op; std::vector<std::uint32_t> operands; std::uint32_t leaf; bool is_leaf; };
     std::uint32_t add(const Solid& solid, NodeId id, const Placement& placement);
     bool contains(std::uint32_t node, Vec2 p) const;
+    // A segment of a parabola as the polygon of its chords: the formats have arcs, and lines.
+    const Shape& with_chords(const Shape& shape);
+    std::vector<std::unique_ptr<const Shape>> polygons_;
     std::vector<FlatCurve> curves_;
     std::vector<Leaf> leaves_;
     std::vector<Node> nodes_;

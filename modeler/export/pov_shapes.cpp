@@ -70,6 +70,12 @@ std::string prism(const std::vector<Ring>& rings, double z0, double z1) {
     return out + kUpright;
 }
 
+// A prism of cubic Bezier curves: the arc raised to degree three, and its chord.
+std::string prism(const shape::ParabolicSegment& s, double z0, double z1) {
+    const auto cubic = [](Vec2 a, Vec2 c, Vec2 b) { return pov_vector(a) + "," + pov_vector((a + 2.0 * c) / 3.0) + "," + pov_vector((b + 2.0 * c) / 3.0) + "," + pov_vector(b); };
+    return "prism{bezier_spline linear_sweep " + shortest(z0) + "," + shortest(z1) + ",8," + cubic(s.a, s.c, s.b) + "," + cubic(s.b, (s.a + s.b) / 2.0, s.a) + kUpright;
+}
+
 std::optional<std::string> lathe(const Ring& ring) {
     std::string out = "lathe{linear_spline " + std::to_string(ring.size() + 1);
     for (std::size_t i = 0; i <= ring.size(); ++i) {
@@ -107,6 +113,7 @@ std::optional<std::string> pov_raised(const Shape& flat, double z0, double z1) {
     if (const auto* s = std::get_if<shape::Disc>(&flat)) return frustum(z0, z1, s->r, s->r);
     if (const auto* s = std::get_if<shape::Rectangle>(&flat)) return box({s->lo, z0}, {s->hi, z1});
     if (const auto* s = std::get_if<shape::Polygon>(&flat)) return prism(*s->contours, z0, z1);
+    if (const auto* s = std::get_if<shape::ParabolicSegment>(&flat)) return prism(*s, z0, z1);
     return std::nullopt;
 }
 

@@ -5,8 +5,10 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "csg/base/degrees.h"
 #include "csg/solid/clean_paths.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/parabola.h"
 #include "modeler/mesh/grid.h"
 
 namespace whittle {
@@ -78,6 +80,19 @@ public:
     }
 
 private:
+    // The circle that the curve hugs in its middle has half the chord, squared, over the control point's height as radius: the rule reads it, at most the chord.
+    static int chords_of(const shape::ParabolicSegment& s, const CurveRule& rule) {
+        const double half = glm::length(s.b - s.a) / 2, rise = glm::length(s.a - 2.0 * s.c + s.b) / 2;
+        const double radius = std::min(half * half / rise, 2 * half);
+        int n = parabola_chords(s, rule.chord(radius));
+        if (rule.angle_deg) n = std::max(n, static_cast<int>(std::ceil(turn_deg(s) / *rule.angle_deg)));
+        return n;
+    }
+    static double turn_deg(const shape::ParabolicSegment& s) {
+        const Vec2 u = s.c - s.a, v = s.b - s.c;
+        return std::fabs(std::atan2(u.x * v.y - u.y * v.x, glm::dot(u, v))) / kRadiansPerDegree;
+    }
+
     static clip::Paths settled(const clip::Paths& paths) { return combined(clip::ctUnion, paths, {}, clip::pftNonZero); }
 
     Result<clip::Paths> shape_paths(const Shape& shape, const Placement& placement) {
@@ -91,6 +106,11 @@ private:
             contours.push_back({box->lo, {box->hi.x, box->lo.y}, box->hi, {box->lo.x, box->hi.y}});
         } else if (const auto* polygon = std::get_if<shape::Polygon>(&shape)) {
             contours = *polygon->contours;
+        } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&shape)) {
+            CurveRule rule = rule_;
+            rule.scale *= largest_stretch(placement);
+            contours.push_back(parabola_corners(*segment, chords_of(*segment, rule)));
+            error_ = std::max(error_, parabola_error(*segment, static_cast<int>(contours.back().size()) - 1) * rule.scale);
         } else {
             return fail(Fault::kScene, "a 3D shape stands where a 2D one is needed");
         }

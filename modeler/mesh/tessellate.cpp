@@ -130,6 +130,7 @@ Result<Tessellation> tessellate(const Solid& solid, NodeId node, const CurveRule
         Answer operator()(const shape::Disc&) const { return flat(); }
         Answer operator()(const shape::Rectangle&) const { return flat(); }
         Answer operator()(const shape::Polygon&) const { return flat(); }
+        Answer operator()(const shape::ParabolicSegment&) const { return flat(); }
         static Answer flat() { return fail(Fault::kScene, "a 2D shape has no mesh"); }
     };
     return std::visit(Visitor{solid, rule, room}, std::get<Shape>(solid.node(node)));

@@ -35,6 +35,17 @@ public:
         return f_.odd(std::move(crossed));
     }
 
+    // On the control point's side of the chord, where the squared weight of c is at most four times the product of those of a and b: the weights are areas of
+    // the triangles that p makes with two of the three points.
+    ExpressionId operator()(const shape::ParabolicSegment& s) {
+        const auto area = [this](Vec2 m, Vec2 n) {
+            return (Dyadic(m.x) - Dyadic(n.x)) * p_.y - (Dyadic(m.y) - Dyadic(n.y)) * p_.x + (Dyadic(n.x) * Dyadic(m.y) - Dyadic(m.x) * Dyadic(n.y)) * p_.w;
+        };
+        const Number chord = area(s.a, s.b), arc = chord * chord - Dyadic(4.0) * (area(s.c, s.b) * area(s.a, s.c));
+        const bool left = ((Dyadic(s.a.x) - Dyadic(s.b.x)) * (Dyadic(s.c.y) - Dyadic(s.b.y)) - (Dyadic(s.a.y) - Dyadic(s.b.y)) * (Dyadic(s.c.x) - Dyadic(s.b.x))).sign() > 0;
+        return f_.all({left ? f_.positive(chord) : f_.negative(chord), f_.negative(arc)});
+    }
+
     template <class Solid3d>
     ExpressionId operator()(const Solid3d&) {
         assert(false && "a 3D shape in a 2D node");

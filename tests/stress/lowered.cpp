@@ -40,6 +40,7 @@ public:
             case SupportKind::kQuadric: return quadric();
             case SupportKind::kTorus: return square(core()) - Form(4.0) * square(n(3) * p_.w) * (square(from(u_, u_)) + square(from(v_, v_)));
             case SupportKind::kTorusCore: return core();
+            case SupportKind::kParabola: return parabola();
         }
         return {};
     }
@@ -68,6 +69,12 @@ private:
             along = along + a * from(i, i);
         }
         return from_centre() * length2 - square(along) - square(n(6) * p_.w) * length2;
+    }
+    // v^2 - 4 u w in the weights of the three points, each times the triangle's area.
+    Form parabola() const {
+        const auto area = [](const Form& ax, const Form& ay, const Form& bx, const Form& by) { return ax * by - ay * bx; };
+        const Form ax = from(u_, 0), ay = from(v_, 1), cx = from(u_, 2), cy = from(v_, 3), bx = from(u_, 4), by = from(v_, 5);
+        return square(area(ax, ay, bx, by)) - Form(4.0) * area(cx, cy, bx, by) * area(ax, ay, cx, cy);
     }
     Form quadric() const {
         const Form product[10] = {p_.x * p_.x, p_.y * p_.y, p_.z * p_.z, p_.x * p_.y, p_.x * p_.z, p_.y * p_.z, p_.x * p_.w, p_.y * p_.w, p_.z * p_.w, p_.w * p_.w};

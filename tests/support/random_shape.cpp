@@ -166,6 +166,7 @@ NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right
                                                                    : std::vector<Vec2>{{0, 0}, {2 * a, 0}, {2 * a, b}, {a, b}, {a, 2 * b}, {0, 2 * b}}};
             if (dice.one_in(3)) contours.push_back({{a * 0.25, b * 0.25}, {a * 0.25, b * 0.5}, {a * 0.5, b * 0.25}});
             use.node = builder.shape(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(std::move(contours))});
+            if (!planes && !right && a == b) use.node = builder.shape(shape::ParabolicSegment{{0, 0}, {a, 2 * a}, {2 * a, 0}});
         }
         if (right) use.placement = Placement::translation({kind == 0 ? a + (dice.one_in(2) ? 0 : b) : dice.one_in(2) ? 0 : b, dice.offset(), 0});
         else if (!dice.one_in(3)) use.placement = Placement::translation({dice.offset(), dice.offset(), 0});

@@ -175,6 +175,9 @@ private:
     std::string text(const shape::Revolution& s, const Piece& p) const {
         return fmt::format("shape::Revolution{{{}, {}, {}, {}}}", profile(p), number(s.start_deg), number(s.angle_deg), s.fragments);
     }
+    std::string text(const shape::ParabolicSegment& s, const Piece&) const {
+        return fmt::format("shape::ParabolicSegment{{{}, {}, {}}}", text(s.a), text(s.c), text(s.b));
+    }
     std::string text(const shape::Disc& s, const Piece&) const { return fmt::format("shape::Disc{{{}}}", number(s.r)); }
     std::string text(const shape::Rectangle& s, const Piece&) const { return fmt::format("shape::Rectangle{{{}, {}}}", text(s.lo), text(s.hi)); }
     std::string text(const shape::Polygon& s, const Piece&) const {

@@ -18,6 +18,7 @@ struct Site {
     bool negated = false;
     std::uint32_t subtractions = 0;
     std::uint32_t use = 0xFFFFFFFF;  // set below an extrusion or revolution: its profile belongs to its use
+    std::array<double, 2> heights{-HUGE_VAL, HUGE_VAL};  // below an extrusion: what lies outside its ends does not matter
     const Material* material = nullptr;
     SourcePlace place;
 };
@@ -50,10 +51,16 @@ private:
     FormulaId operator_shape(const shape::Disc& s, const Site& site);
     FormulaId operator_shape(const shape::Rectangle& s, const Site& site);
     FormulaId operator_shape(const shape::Polygon& s, const Site& site);
+    FormulaId operator_shape(const shape::ParabolicSegment& s, const Site& site);
+    // Of a 2D shape swept along z: where it matters.
+    static Bounds swept(Vec2 lo, Vec2 hi, const Site& site) { return {Vec3(lo, site.heights[0]), Vec3(hi, site.heights[1])}; }
     FormulaId faceted(NodeId id, const Site& site);
     // A ball or frustum of facets as one cell; kNoFormula where its planes would not be told apart well.
     template <class S>
     FormulaId of_belts(const S& s, const Site& site);
+    // Where the profile is one parabola and nothing else.
+    const shape::ParabolicSegment* profile_segment(const shape::Extrusion& s) const;
+    FormulaId tapered(NodeId id, const shape::Extrusion& e, const shape::ParabolicSegment& s, const Site& site);
     // Are the facets of the shape its true surface? False for a smooth twist, and where true arcs become chords.
     bool has_flat_faces(NodeId id) const;
     FormulaId prism(const std::vector<std::vector<Vec2>>& contours, const Site& site);

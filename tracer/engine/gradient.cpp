@@ -42,6 +42,13 @@ Vec3 curved_gradient(const Support& s, const Vec3& x) {
             const Vec3 a(p[0], p[1], p[2]), axis = Vec3(p[3], p[4], p[5]) - a;
             return (x - a) - axis * (glm::dot(x - a, axis) / glm::dot(axis, axis));
         }
+        case SupportKind::kParabola: {
+            const Vec2 a(p[0], p[1]), e = Vec2(p[4], p[5]) - a, g = 2.0 * (Vec2(p[2], p[3]) - a) - e, q = Vec2(x[u], x[v]) - a;
+            const double whole = (e.x * g.y - e.y * g.x) / 2, across = whole + g.x * q.y - g.y * q.x;
+            n[u] = (0 - across * g.y) - whole * e.y;
+            n[v] = across * g.x + whole * e.x;
+            return n;
+        }
         case SupportKind::kTorus: {
             const Vec3 c = x - Vec3(p[0], p[1], p[2]);
             Vec3 flat = c;

@@ -189,6 +189,7 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
                 return faceted(id, site);
             } else if constexpr (std::is_same_v<S, shape::Extrusion>) {
                 if (s.twist_deg == 0 && s.scale_top == Vec2(1)) return operator_shape(s, site);
+                if (const auto* segment = profile_segment(s); segment && s.twist_deg == 0 && s.scale_top.x == s.scale_top.y) return tapered(id, s, *segment, site);
                 return faceted(id, site);
             } else if constexpr (std::is_same_v<S, shape::Revolution>) {
                 if (s.fragments == 0 && revolvable(s.profile, Chain())) return operator_shape(s, site);
@@ -297,13 +298,15 @@ FormulaId FormulaBuilder::operator_shape(const shape::Extrusion& s, const Site& 
     const Bounds around{Vec3(flat.lo.x, flat.lo.y, s.z0), Vec3(flat.hi.x, flat.hi.y, s.z1)};
     Placer p(out_, site.chain, site.motion, around, Absorb::kAny);
     const FormulaId ends = cell({p.axis_plane(2, s.z0, false), p.axis_plane(2, s.z1, true)}, p.root_box(), site);
-    return all_of({ends, node(s.profile, site)}, site);
+    Site within = site;
+    within.heights = {s.z0, s.z1};
+    return all_of({ends, node(s.profile, within)}, site);
 }
 
 FormulaId FormulaBuilder::operator_shape(const shape::Disc& s, const Site& site) {
     const AxisMap& map = site.chain.inner();
-    Placer p(out_, site.chain, site.motion, everywhere(), map.is_uniform() ? Absorb::kAny : Absorb::kNothing);
-    return cell({p.cylinder(2, Vec3(0), s.r)}, everywhere(), site);
+    Placer p(out_, site.chain, site.motion, swept(Vec2(-s.r), Vec2(s.r), site), map.is_uniform() ? Absorb::kAny : Absorb::kNothing);
+    return cell({p.cylinder(2, Vec3(0), s.r)}, p.root_box(), site);
 }
 
 FormulaId FormulaBuilder::operator_shape(const shape::Rectangle& s, const Site& site) {

@@ -119,11 +119,10 @@ template FormulaId FormulaBuilder::of_belts(const shape::FacetedBall& s, const S
 template FormulaId FormulaBuilder::of_belts(const shape::FacetedFrustum& s, const Site& site);
 
 FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, const Site& site) {
-    Bounds around = everywhere();
-    around.lo = Vec3(HUGE_VAL), around.hi = Vec3(-HUGE_VAL);
+    Vec2 lo(HUGE_VAL), hi(-HUGE_VAL);
     for (const auto& contour : contours)
-        for (const Vec2& v : contour) around = {glm::min(around.lo, Vec3(v, 0)), glm::max(around.hi, Vec3(v, 0))};
-    Placer p(out_, site.chain, site.motion, around, Absorb::kAny);
+        for (const Vec2& v : contour) lo = glm::min(lo, v), hi = glm::max(hi, v);
+    Placer p(out_, site.chain, site.motion, swept(lo, hi, site), Absorb::kAny);
     if (contours.size() == 1) {
         std::vector<Vec2> corners;
         const int axis = p.axis_of(2);
@@ -152,7 +151,7 @@ FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, 
     FormulaNode n;
     n.kind = FormulaKind::kPrism;
     n.negated = n.outside_value = site.negated;
-    n.box = everywhere();
+    n.box = p.root_box();
     n.use = site.use;
     n.data = static_cast<std::uint32_t>(out_.prisms.size());
     out_.prisms.push_back(std::move(data));
@@ -167,7 +166,7 @@ bool FormulaBuilder::has_flat_faces(NodeId id) const {
     if (const auto* e = std::get_if<shape::Extrusion>(&s))
         return (e->slices > 0 || (e->twist_deg == 0 && e->scale_top.x == e->scale_top.y)) && has_flat_faces(e->profile);
     if (const auto* r = std::get_if<shape::Revolution>(&s)) return r->fragments > 0 && has_flat_faces(r->profile);
-    return !std::holds_alternative<shape::Disc>(s);
+    return !is_curved_2d(s);
 }
 
 FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {

@@ -5,11 +5,15 @@
 #include <algorithm>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/parabola.h"
 #include "tracer/engine/formula_builder.h"
 
 namespace whittle {
 
 namespace {
+
+// A turned parabola is a surface of degree four that the engine has no roots for: cones through chords within this share of the segment's size.
+constexpr double kTurnedTolerance = 0x1p-10;
 
 struct Matrix2 {
     double xx, xy, yx, yy, x, y;
@@ -119,6 +123,9 @@ FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& si
     std::vector<std::vector<Vec2>> contours;
     if (const auto* r = std::get_if<shape::Rectangle>(&shape)) {
         contours = {{r->lo, {r->hi.x, r->lo.y}, r->hi, {r->lo.x, r->hi.y}}};
+    } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&shape)) {
+        const double size = glm::length(solid_.bounds(id).hi - solid_.bounds(id).lo);
+        contours = {parabola_corners(*segment, parabola_chords(*segment, size * kTurnedTolerance))};
     } else {
         contours = *std::get<shape::Polygon>(shape).contours;
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <tuple>
 
 #include "tracer/engine/mutation.h"
 
@@ -274,6 +275,11 @@ SupportId Placer::edge_plane(int axis, Vec2 a, Vec2 b) {
     if (a.y == b.y) return add(SupportKind::kAxisPlane, v, {a.y}, false).support;
     if (b.x < a.x) std::swap(a, b);
     return add(SupportKind::kEdgePlane, axis, {a.x, a.y, b.x, b.y}, false).support;
+}
+
+SupportId Placer::parabola(int axis, Vec2 a, Vec2 c, Vec2 b) {
+    if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) std::swap(a, b);
+    return add(SupportKind::kParabola, axis, {a.x, a.y, c.x, c.y, b.x, b.y}, false).support;
 }
 
 SupportId Placer::facet(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -28,6 +28,7 @@ public:
     HalfSpaceRef torus(Vec3 centre, double major, double minor);       // about z
     HalfSpaceRef torus_core(Vec3 centre, double major, double minor);  // about z
     SupportId edge_plane(int axis, Vec2 a, Vec2 b);
+    SupportId parabola(int axis, Vec2 a, Vec2 c, Vec2 b);  // like an edge plane's, the points are the frame's
     SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
     // Inside on the left of a -> b, given in the frame's coordinates axis+1, axis+2. Requires: a != b.
     HalfSpaceRef edge_side(int axis, Vec2 a, Vec2 b);

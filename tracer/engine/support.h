@@ -45,7 +45,8 @@ enum class SupportKind : std::uint8_t {
     kTube,        // about the line p0-2 to p3-5, radius p6
     kQuadric,     // the ten coefficients of shape::Quadric
     kTorus,       // centre p0-2, about the axis, radii p3 (ring), p4 (tube); both sheets
-    kTorusCore    // of the same torus: rho^2 + z^2 + R^2 - r^2
+    kTorusCore,   // of the same torus: rho^2 + z^2 + R^2 - r^2
+    kParabola     // parallel to the axis, the quadratic Bezier curve from p0-1 to p4-5 with control point p2-3 in axis+1, axis+2
 };
 
 struct Support {
@@ -216,6 +217,20 @@ Quadratic<N> ellipsoid(const Support& s, const FrameLine<N>& l) {
     return r - constant(whole * whole);
 }
 
+// With e = b - a, f = c - a, D = e x f and weights u, v, w of a, c, b the curve is v^2 = 4 u w. That is S^2 + D T = 0, where S = D + (2 f - e) x (p - a) is
+// D (u - w) and T = 2 e x (p - a) - D is D (2 v - 1).
+template <class N>
+Quadratic<N> parabola(const Support& s, const FrameLine<N>& l) {
+    const int u = (s.axis + 1) % 3, v = (s.axis + 2) % 3;
+    const auto& p = s.p;
+    const N ex = N(p[4]) - N(p[0]), ey = N(p[5]) - N(p[1]), fx = N(p[2]) - N(p[0]), fy = N(p[3]) - N(p[1]);
+    const N gx = (fx + fx) - ex, gy = (fy + fy) - ey, whole = ex * fy - ey * fx;
+    const Linear<N> x = coordinate(l, u, p[0]), y = coordinate(l, v, p[1]), unit{l.w, N{0.0}};
+    const Linear<N> across = whole * unit + (gx * y + (-gy) * x);
+    const Linear<N> along = N(2.0) * (ex * y + (-ey) * x) + (-whole) * unit;
+    return square(across) + whole * (unit * along);
+}
+
 template <class N>
 Quadratic<N> quadratic(const Support& s, const FrameLine<N>& l) {
     const int u = (s.axis + 1) % 3, v = (s.axis + 2) % 3;
@@ -236,6 +251,7 @@ Quadratic<N> quadratic(const Support& s, const FrameLine<N>& l) {
             return square(height * coordinate(l, u, p[0])) + square(height * coordinate(l, v, p[1])) - square(radius);
         }
         case SupportKind::kTube: return tube(s, l);
+        case SupportKind::kParabola: return parabola(s, l);
         case SupportKind::kTorusCore: {
             const N k = l.w * l.w * (N(p[3]) * N(p[3]) - N(p[4]) * N(p[4]));
             return square(coordinate(l, 0, p[0])) + square(coordinate(l, 1, p[1])) + square(coordinate(l, 2, p[2])) + constant(k);

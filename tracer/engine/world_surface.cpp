@@ -64,6 +64,19 @@ void add_tube(WorldSurface& w, const std::array<double, 10>& p) {
     w.c -= Real(p[6]) * p[6] * length2;
 }
 
+// support.h, parabola: S^2 + D T.
+void add_parabola(WorldSurface& w, const Support& s, std::size_t u, std::size_t v) {
+    const auto& p = s.p;
+    const Real ex = Real(p[4]) - p[0], ey = Real(p[5]) - p[1], fx = Real(p[2]) - p[0], fy = Real(p[3]) - p[1];
+    const Real gx = 2 * fx - ex, gy = 2 * fy - ey, whole = ex * fy - ey * fx;
+    std::array<Real, 3> n{};
+    n[u] = -gy, n[v] = gx;
+    add_square(w, n, whole - gx * p[1] + gy * p[0], 1);
+    w.b[u] -= whole * ey;
+    w.b[v] += whole * ex;
+    w.c -= whole * (whole + 2 * (ex * p[1] - ey * p[0]));
+}
+
 WorldSurface local_quadric(const Support& s) {
     WorldSurface w;
     w.form = WorldSurface::Form::kQuadric;
@@ -99,6 +112,7 @@ WorldSurface local_quadric(const Support& s) {
             break;
         }
         case SupportKind::kTube: add_tube(w, p); break;
+        case SupportKind::kParabola: add_parabola(w, s, u, v); break;
         default:
             w.m = {p[0], p[1], p[2], Real(p[3]) / 2, Real(p[4]) / 2, Real(p[5]) / 2};
             w.b = {Real(p[6]) / 2, Real(p[7]) / 2, Real(p[8]) / 2};

@@ -178,7 +178,7 @@ Question thin(SupportKind kind, Random& random) {
 
 const char* name_of(SupportKind kind) {
     static constexpr std::array<const char*, kSupportKinds> names{"axis plane", "plane", "plane of points", "plane of an edge", "ball", "ellipsoid", "cylinder", "cone",
-                                                                  "tube", "quadric", "torus", "torus core"};
+                                                                  "tube", "quadric", "torus", "torus core", "parabola"};
     return names[static_cast<std::size_t>(kind)];
 }
 

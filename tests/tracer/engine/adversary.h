@@ -7,7 +7,7 @@
 
 namespace whittle::testing {
 
-inline constexpr int kSupportKinds = 12;
+inline constexpr int kSupportKinds = 13;
 const char* name_of(SupportKind kind);
 
 // One question: where does the ray cross the support in its frame?
