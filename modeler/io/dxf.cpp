@@ -107,7 +107,8 @@ private:
         OutlineBuilder builder;
         double sweep = to - from;
         sweep -= 2 * kPi * std::floor(sweep / (2 * kPi));
-        if (sweep < 1e-9 || 2 * kPi - sweep < 1e-9) {  // what degrees with nine digits leave
+        constexpr double kTwoRoundings = 2 * 0.5e-9;  // both ends are written with nine decimals or more
+        if (sweep < kTwoRoundings || 2 * kPi - sweep < kTwoRoundings) {
             add_ellipse(builder, map, centre, u, v);
             return take_closed(builder);
         }

@@ -23,10 +23,11 @@ struct CurveRule {
     int turn(double radius) const { return turn_within(radius, chord(radius)); }
     int turn_within(double radius, double error) const {
         const double share = std::min(error / radius, 1.0);
-        double n = std::numbers::pi / std::acos(1 - share);
+        double n = std::numbers::pi / (2 * std::asin(std::sqrt(share / 2)));  // 1 - cos(a) = 2 sin(a/2)^2 keeps all digits of a small share
         if (angle_deg) n = std::max(n, 360 / *angle_deg);
-        const double kMost = 1 << 16;
-        return std::max(8, 4 * static_cast<int>(std::ceil(std::min(n, kMost) / 4 - 1e-9)));
+        constexpr double kMost = 1 << 16;
+        constexpr double kRounding = kMost * 0x1p-50;  // of n: a count that rounding alone has lifted over a whole one is that one
+        return std::max(8, 4 * static_cast<int>(std::ceil((std::min(n, kMost) - kRounding) / 4)));
     }
 };
 
