@@ -19,7 +19,8 @@ namespace {
 
 // Pieces of a Minkowski sum beyond which it would take hours to combine them.
 constexpr std::size_t kMostPieces = 20000;
-// Chord error of a curved floor under a roof, of its size: every chord costs the roof a wedge.
+// Chord error of a curved floor under a roof, of its size: that of meshes, since every chord costs the roof a wedge on every ray. A crescent's roof has
+// 3e-3 too little volume with it; 1e-4 makes that 5e-4 and 1.6 times the time, 1e-5 makes it less than can be measured and 3.7 times.
 constexpr double kRoofTolerance = 1e-3;
 
 double size_of(const Bounds& box) { return glm::length(box.hi - box.lo); }
