@@ -118,3 +118,42 @@ TEST_CASE("a segment of a parabola that shrinks on its way up is a cone") {
     }
     CHECK(tally.borders > 20);
 }
+
+TEST_CASE("a taper of straight sides is made of planes and quadrics") {
+    const auto tapered = [](std::vector<Vec2> corners, Vec2 top) {
+        SolidBuilder b;
+        Use use;
+        const NodeId flat = b.shape(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(std::vector<std::vector<Vec2>>{std::move(corners)})});
+        use.node = b.shape(shape::Extrusion{flat, 0, 2, 0, top, 0});
+        return b.finish(use);
+    };
+    const Subject diamond = subject_of(tapered({{4, 0}, {0, 2}, {-4, 0}, {0, -2}}, {0.5, 2}), true);
+    REQUIRE(diamond.program);
+    Scratch scratch;
+    Ray ray;
+    ray.origin = {-10, 0.5, 1};
+    ray.direction = {1, 0, 0};
+    Spans spans;
+    all_spans(*diamond.program, ray, scratch, spans);
+    REQUIRE(spans.size() == 1);
+    CHECK(spans[0].in->t == Approx(7.5).epsilon(1e-15));  // |x| / 3 + |y| / 3 <= 1 at half the height
+    CHECK(spans[0].out->t == Approx(12.5).epsilon(1e-15));
+
+    std::mt19937_64 random(2);
+    Tally tally;
+    const std::vector<Vec2> corners{{0, 0}, {6, 1}, {6, 3}, {2, 2}, {1, 5}, {-1, 5}};
+    for (const Vec2 top : {Vec2(0.5, 2), Vec2(1, 0.25), Vec2(2, 0), Vec2(0.5, 0.5), Vec2(0, 0)}) {
+        const Subject subject = subject_of(tapered(corners, top), true);
+        REQUIRE(subject.program);
+        std::vector<Vec3> points;
+        for (const Vec2& p : corners) points.push_back(Vec3(p, 0)), points.push_back(Vec3(p * top, 2));
+        for (int i = 0; i < 150; ++i) {
+            bool at_corner = false;
+            ray = some_ray(points, random, at_corner);
+            ray.direction *= 0x1p-5;
+            CHECK(disagreement(subject, ray, scratch, random, tally) == "");
+        }
+    }
+    CHECK(tally.borders > 60);
+    CHECK(tally.uncertified == 0);
+}

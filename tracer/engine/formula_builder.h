@@ -60,6 +60,10 @@ private:
     FormulaId of_belts(const S& s, const Site& site);
     // Where the profile is one parabola and nothing else.
     const shape::ParabolicSegment* profile_segment(const shape::Extrusion& s) const;
+    // A profile of straight sides under a scale.
+    FormulaId stretched(NodeId id, const shape::Extrusion& e, const Site& site);
+    static HalfSpaceRef stretched_side(Placer& placer, const shape::Extrusion& e, Vec2 p, Vec2 q);
+    bool has_straight_sides(NodeId profile) const;
     FormulaId tapered(NodeId id, const shape::Extrusion& e, const shape::ParabolicSegment& s, const Site& site);
     // Are the facets of the shape its true surface? False for a smooth twist, and where true arcs become chords.
     bool has_flat_faces(NodeId id) const;

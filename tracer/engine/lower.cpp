@@ -190,6 +190,7 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
             } else if constexpr (std::is_same_v<S, shape::Extrusion>) {
                 if (s.twist_deg == 0 && s.scale_top == Vec2(1)) return operator_shape(s, site);
                 if (const auto* segment = profile_segment(s); segment && s.twist_deg == 0 && s.scale_top.x == s.scale_top.y) return tapered(id, s, *segment, site);
+                if (s.twist_deg == 0 && s.slices == 0 && has_straight_sides(s.profile)) return stretched(id, s, site);
                 return faceted(id, site);
             } else if constexpr (std::is_same_v<S, shape::Revolution>) {
                 if (s.fragments == 0 && revolvable(s.profile, Chain())) return operator_shape(s, site);
