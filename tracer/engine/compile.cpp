@@ -25,7 +25,7 @@ void rank_matters(Program& program) {
     const std::vector<LeafUse>& uses = program.uses;
     std::vector<std::uint32_t> ranked(uses.size());
     std::iota(ranked.begin(), ranked.end(), 0U);
-    const auto priority = [&](std::uint32_t use) { return uses[use].material.priority.value_or(0); };
+    const auto priority = [&](std::uint32_t use) { return uses[use].material->priority.value_or(0); };
     std::stable_sort(ranked.begin(), ranked.end(), [&](std::uint32_t a, std::uint32_t b) { return priority(a) > priority(b); });
     program.matter_order.resize(uses.size());
     for (std::uint32_t rank = 0; rank < ranked.size(); ++rank) program.matter_order[ranked[rank]] = rank;

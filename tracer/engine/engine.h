@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/base/result.h"
@@ -53,9 +54,23 @@ struct BuildReport {
     std::vector<std::string> warnings;
 };
 
+// A material that many uses have, kept once.
+class SharedMaterial {
+public:
+    SharedMaterial() : SharedMaterial(Material()) {}
+    explicit SharedMaterial(Material material) : material_(std::make_shared<const Material>(std::move(material))) {}
+    const Material& operator*() const { return *material_; }
+    const Material* operator->() const { return material_.get(); }
+    operator const Material&() const { return *material_; }
+    friend bool operator==(const SharedMaterial& a, const SharedMaterial& b) { return a.material_ == b.material_ || *a == *b; }
+
+private:
+    std::shared_ptr<const Material> material_;
+};
+
 // A leaf use: one shape of the solid as the author placed it. `material` is the whole path's, outermost winning.
 struct LeafUse {
-    Material material;
+    SharedMaterial material;
     SourcePlace place;
     bool subtracts = false;          // a cutter, or within one at any depth: its matter fills nothing
     std::uint32_t subtractions = 0;  // above it: 1 for a cutter, 2 for c in a - (b - c)

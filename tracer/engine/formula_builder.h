@@ -36,6 +36,8 @@ private:
     FormulaId use(const Use& use, const Site& site);
     FormulaId combination(const Combination& c, const Site& site);
     FormulaId shape(NodeId id, const Shape& shape, Site site);
+    // The material, from the last few if it is among them.
+    const SharedMaterial& shared(const Material& material);
 
     // One shape each; `site.use` is set.
     FormulaId box(Vec3 lo, Vec3 hi, const Site& site);
@@ -91,6 +93,7 @@ private:
 
     const Solid& solid_;
     std::vector<Parted> differences_;
+    std::vector<SharedMaterial> materials_;
     Formula out_;
     // By node, and by the permutation and scales that its points took in.
     std::map<std::tuple<NodeId, std::array<std::uint8_t, 3>, std::array<double, 3>>, std::shared_ptr<const TriangleList>> triangles_;

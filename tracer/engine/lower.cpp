@@ -172,10 +172,18 @@ FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Boun
     return push(std::move(n));
 }
 
+const SharedMaterial& FormulaBuilder::shared(const Material& material) {
+    constexpr std::size_t kRecent = 8;
+    for (const SharedMaterial& m : materials_)
+        if (*m == material) return m;
+    if (materials_.size() == kRecent) materials_.erase(materials_.begin());
+    return materials_.emplace_back(material);
+}
+
 FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
     if (site.use == kNoUse) {
         site.use = static_cast<std::uint32_t>(out_.uses.size());
-        out_.uses.push_back({*site.material, site.place, site.subtractions > 0, site.subtractions, 0});
+        out_.uses.push_back({shared(*site.material), site.place, site.subtractions > 0, site.subtractions, 0});
     }
     return std::visit(
         [&](const auto& s) -> FormulaId {

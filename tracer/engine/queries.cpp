@@ -28,7 +28,7 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
         const bool fewer = first == kNone || u.subtractions < program.uses[first].subtractions;
         if (fewer) named = kNone;
         first = fewer ? use : std::min(first, use);
-        if (!u.material.names_surface()) continue;
+        if (!u.material->names_surface()) continue;
         if (named == kNone || u.cut_depth < program.uses[named].cut_depth) named = use;
     }
     if (first != kNone && !program.uses[first].subtracts) return first;

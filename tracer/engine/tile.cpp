@@ -358,7 +358,7 @@ void describe_for_packets(Program& program) {
         const LeafUse& use = program.uses[program.leaves[leaf].use];
         if (u.count == 0 || u.leaf != leaf) ++u.count;
         u.leaf = leaf;
-        u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material.names_surface();
+        u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material->names_surface();
         u.of_facets = u.of_facets || !countable;
         if (!countable) u.count += 2;
     };
@@ -375,7 +375,7 @@ void describe_for_packets(Program& program) {
     }
     // Packets look for the least use; priorities are a single ray's work.
     program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
-    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material.names_surface(); });
+    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });
     for (const Users& u : users) {
         ClassLabel label;
         if (u.count > 0 && u.silent_cutters) {

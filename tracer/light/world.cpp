@@ -33,7 +33,8 @@ Material cut_face(const Material& matter, const Material& cutter) {
 Result<std::vector<Surface>> faces_of(const std::vector<LeafUse>& uses, const MatterPart& part) {
     if (!part.clear) return resolve_surfaces(uses);
     std::vector<LeafUse> faces = uses;
-    for (LeafUse& use : faces) use.material = use.subtracts && use.material.names_surface() ? cut_face(part.material, use.material) : part.material;
+    const SharedMaterial matter(part.material);
+    for (LeafUse& use : faces) use.material = use.subtracts && use.material->names_surface() ? SharedMaterial(cut_face(part.material, use.material)) : matter;
     return resolve_surfaces(faces);
 }
 
@@ -88,7 +89,7 @@ void World::recolor(const ColorScheme& scheme) {
     for (Part& part : parts_) {
         const std::vector<LeafUse>& uses = leaf_uses(*part.program);
         for (std::size_t i = 0; i < uses.size(); ++i)
-            if (!uses[i].material.color && !uses[i].material.preset) part.surfaces[i].color = srgb_to_linear(scheme.face);
+            if (!uses[i].material->color && !uses[i].material->preset) part.surfaces[i].color = srgb_to_linear(scheme.face);
     }
 }
 
