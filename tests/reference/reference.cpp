@@ -153,7 +153,8 @@ Borders Evaluator::borders(const Ray& ray, const std::set<std::uint32_t>& leavin
         }
         std::sort(touched.begin(), touched.end());
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-        Border border{first->lo, first->hi, true, {}};
+        Border border{first->lo, first->hi, true, {}, {}};
+        const std::vector<bool> held = leaf_holds;
         for (const std::uint32_t leaf : touched) {
             const bool now = leaf_holds_now(leaf);
             if (now != leaf_holds[leaf]) border.leaves.push_back(leaf);
@@ -162,6 +163,8 @@ Borders Evaluator::borders(const Ray& ray, const std::set<std::uint32_t>& leavin
         const bool now_inside = holds(tree_.root, leaf_holds);
         const bool at_or_before_zero = first->lo.sign() < 0 || first->is_zero();
         border.entering = now_inside;
+        for (std::uint32_t i = 0; now_inside != inside && i < leaf_count(); ++i)
+            if (now_inside ? leaf_holds[i] : held[i]) border.holding.push_back(i);
         if (now_inside != inside && first->lo.sign() >= 0 && (!first->is_zero() || (now_inside && leaving.empty()))) result.borders.push_back(std::move(border));
         inside = now_inside;
         if (at_or_before_zero) result.starts_inside = inside;

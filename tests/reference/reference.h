@@ -25,11 +25,12 @@ struct Options {
     double fuse = 0;           // supports whose coefficients agree to this relative difference are one
 };
 
-// The exact t lies in [lo, hi], which is at most 2^-200 of |t| wide. `leaves`: those whose own membership changes here, in author's order.
+// The exact t lies in [lo, hi], which is at most 2^-200 of |t| wide. `leaves`: those whose own membership changes here, in author's order; `holding`: all
+// that hold the side that is inside.
 struct Border {
     Dyadic lo, hi;
     bool entering = true;
-    std::vector<std::uint32_t> leaves;
+    std::vector<std::uint32_t> leaves, holding;
 };
 
 struct Borders {

@@ -55,11 +55,11 @@ bool same(const std::vector<Event>& a, const std::vector<Event>& b, double room)
 // How far a grazing ray's crossings may move, t of the scenes' size, where its origin moves by `far`.
 double way_of(double far) { return 20 * std::sqrt(far); }
 
-// Does the exact answer, surfaces included, change when the ray moves by `far`, its direction by `turned`?
+// Does the exact answer, surfaces and what holds the inside included, change when the ray moves by `far`, its direction by `turned`?
 bool is_masked(const Subject& subject, const Ray& ray, double far, double turned, std::mt19937_64& random) {
     using reference::Border;
     const auto alike = [&](const Border& x, const Border& y) {
-        return x.entering == y.entering && x.leaves == y.leaves && std::abs((middle(x.lo, x.hi) - middle(y.lo, y.hi)).to_double()) <= way_of(far);
+        return x.entering == y.entering && x.leaves == y.leaves && x.holding == y.holding && std::abs((middle(x.lo, x.hi) - middle(y.lo, y.hi)).to_double()) <= way_of(far);
     };
     // A little before its beginning too: what changes there tells whether it begins inside or enters. A power of two, so that rays in faces stay in them.
     Ray longer = ray;
