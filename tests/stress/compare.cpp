@@ -71,9 +71,9 @@ std::string use_fault(const Subject& subject, const End& end, const Border& b) {
     return fmt::format("use {} does not change there", end.use);
 }
 
-// Does the program hold facets that stand for a curved surface? Only their ends may be uncertified.
+// Does the program hold leaves that stand for a curved surface? Only their ends may be uncertified.
 bool has_stand_ins(const Program& program) {
-    return std::any_of(program.meshes.begin(), program.meshes.end(), [](const MeshLeaf& m) { return !m.exact; });
+    return std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; });
 }
 
 std::string end_fault(const Subject& subject, const Ray& ray, const End& end, const Border& b, Tally& tally) {

@@ -97,6 +97,7 @@ private:
         leaf.use = n.use;
         leaf.fills = !program_.uses[n.use].subtracts;
         leaf.first = n.data;
+        leaf.exact = n.kind == FormulaKind::kMesh ? formula_.meshes[n.data].exact : n.exact;
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);
         program_.leaf_boxes.push_back(outward(n.box));
@@ -256,7 +257,7 @@ private:
             if (m.mesh->triangles.empty()) built->order.clear(), built->nodes[0].count = 0;
             hierarchy = std::move(built);
         }
-        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets), m.exact};
+        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets)};
         for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
         program_.meshes.push_back(std::move(leaf));
     }

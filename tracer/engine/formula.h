@@ -72,7 +72,7 @@ struct MeshPart {
     FrameId frame = 0;
     std::shared_ptr<const TriangleList> mesh;
     std::vector<SupportId> facets;  // one a triangle; kNoSupport where it has no area
-    bool exact = true;              // false: it stands for a curved surface, within a tolerance
+    bool exact = true;              // as of a node
 };
 
 enum class FormulaKind : std::uint8_t { kCell, kPrism, kMesh, kAnd, kOr, kNothing, kEverything };
@@ -80,6 +80,7 @@ enum class FormulaKind : std::uint8_t { kCell, kPrism, kMesh, kAnd, kOr, kNothin
 struct FormulaNode {
     FormulaKind kind = FormulaKind::kNothing;
     bool negated = false;        // leaves only
+    bool exact = true;           // leaves only; false: it stands for a curved surface, within a tolerance
     bool outside_value = false;  // its value everywhere outside `box`
     Bounds box;                  // may be unbounded
     std::uint32_t use = 0;       // leaves only

@@ -18,6 +18,7 @@ struct Site {
     bool negated = false;
     std::uint32_t subtractions = 0;
     std::uint32_t use = 0xFFFFFFFF;  // set below an extrusion or revolution: its profile belongs to its use
+    bool exact = true;  // false: what is made stands for a curved surface, within a tolerance
     std::array<double, 2> heights{-HUGE_VAL, HUGE_VAL};  // below an extrusion: what lies outside its ends does not matter
     const Material* material = nullptr;
     SourcePlace place;

@@ -50,8 +50,7 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
         const Event& e = changes[i].event;
         bool certain = true;
         for (next = i; next < changes.size() && (next == i || context.compare(e, changes[next].event) == 0); ++next) {
-            const Leaf& leaf = program.leaves[changes[next].leaf];
-            certain = certain && (leaf.kind != FormulaKind::kMesh || program.meshes[leaf.first].exact);
+            certain = certain && program.leaves[changes[next].leaf].exact;
         }
         std::uint32_t from = 0, to = 0;
         if (context.compare(e, origin) <= 0 || !divides(program, walker, e, from, to)) continue;

@@ -168,6 +168,7 @@ FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Boun
     n.outside_value = site.negated;
     n.box = box;
     n.use = site.use;
+    n.exact = site.exact;
     n.half_spaces = std::move(half_spaces);
     return push(std::move(n));
 }

@@ -121,17 +121,19 @@ FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& si
         return revolved_disc(m.x, m.y, disc->r * scale, site);
     }
     std::vector<std::vector<Vec2>> contours;
+    Site where = site;
     if (const auto* r = std::get_if<shape::Rectangle>(&shape)) {
         contours = {{r->lo, {r->hi.x, r->lo.y}, r->hi, {r->lo.x, r->hi.y}}};
     } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&shape)) {
         const double size = glm::length(solid_.bounds(id).hi - solid_.bounds(id).lo);
         contours = {parabola_corners(*segment, parabola_chords(*segment, size * kTurnedTolerance))};
+        where.exact = false;
     } else {
         contours = *std::get<shape::Polygon>(shape).contours;
     }
     for (auto& contour : contours)
         for (Vec2& v : contour) v = m.apply(v);
-    return revolved_polygon(std::move(contours), site);
+    return revolved_polygon(std::move(contours), where);
 }
 
 FormulaId FormulaBuilder::revolved_disc(double x, double z, double r, const Site& site) {

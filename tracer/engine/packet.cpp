@@ -59,14 +59,14 @@ void take_work(TileMemory& m, EngineCounters& counters) {
     }
 }
 
-void make_hit(const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
+void make_hit(const Program& program, const TileMemory& m, std::size_t k, const Ray& ray, Hit& hit) {
     const auto id = static_cast<ClassId>(m.id[k] >> 1);
     hit.end.t = std::max(m.t[k], 0.0);
     hit.end.t_error = m.error[k];
     hit.end.normal = {m.normal[0][k], m.normal[1][k], m.normal[2][k]};
     hit.end.surface = id;
     hit.end.use = static_cast<std::uint32_t>(m.use[k]);
-    hit.end.certified = true;
+    hit.end.certified = program.class_labels[id].exact;
     hit.point = point_at(ray, m.t[k]);
     hit.from_inside = false;
     hit.departure.classes[0] = id;
@@ -93,7 +93,9 @@ void hits_of_packets(const Program& program, const TileBounds& bounds, bool shar
         ++scratch.counters.packet_rays;
         ++scratch.counters.skipped_by(EnginePass::kFirst);
         found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
-        if (found[i]) make_hit(m, k, rays[i], hits[i]);
+        if (!found[i]) continue;
+        make_hit(program, m, k, rays[i], hits[i]);
+        scratch.counters.uncertified += !hits[i].end.certified;
     }
 }
 

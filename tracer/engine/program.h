@@ -27,6 +27,7 @@ struct Leaf {
     FormulaKind kind = FormulaKind::kCell;
     bool negated = false;
     bool fills = true;  // its use is not subtracted
+    bool exact = true;  // its ends are certified
     std::uint32_t first = 0, count = 0;
     std::uint32_t use = 0;
     std::uint32_t facets = kNoFacets;  // cells of many planes: their tree
@@ -73,7 +74,6 @@ struct MeshLeaf {
     std::shared_ptr<const Hierarchy> hierarchy;
     std::vector<ClassId> facets;
     std::vector<ClassId> own;  // as of a prism's edges
-    bool exact = true;  // its ends are certified
 };
 
 // The use that a border on a class shows, as far as the class alone tells: always `use`; or, where only cutters that name no surface have it, the least
@@ -81,6 +81,7 @@ struct MeshLeaf {
 struct ClassLabel {
     enum class Kind : std::uint8_t { kUse, kHeld, kDepends };
     Kind kind = Kind::kDepends;
+    bool exact = true;       // all leaves that have it are
     bool of_facets = false;  // some mesh or prism has it
     std::uint32_t use = 0;
 };

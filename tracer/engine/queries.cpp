@@ -66,10 +66,7 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event&
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
     end.surface = e.id;
-    for (const Walker::Cause& c : impl.causes) {
-        const Leaf& leaf = program.leaves[c.leaf];
-        if (leaf.kind == FormulaKind::kMesh && !program.meshes[leaf.first].exact) end.certified = false;
-    }
+    for (const Walker::Cause& c : impl.causes) end.certified = end.certified && program.leaves[c.leaf].exact;
     if (!end.certified) ++impl.walker.context().counters().uncertified;
     end.use = shown_use(program, impl.walker, impl.causes, e, entering);
     const Support& support = program.classes[end.surface];

@@ -349,7 +349,7 @@ bool holds(const Program& program, Ref ref) {
 void describe_for_packets(Program& program) {
     struct Users {
         std::uint32_t leaf = 0, count = 0;
-        bool silent_cutters = true, of_facets = false;
+        bool silent_cutters = true, of_facets = false, exact = true;
     };
     std::vector<Users> users(program.classes.size());
     const auto meet = [&](ClassId id, std::uint32_t leaf, bool countable) {
@@ -360,6 +360,7 @@ void describe_for_packets(Program& program) {
         u.leaf = leaf;
         u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material->names_surface();
         u.of_facets = u.of_facets || !countable;
+        u.exact = u.exact && program.leaves[leaf].exact;
         if (!countable) u.count += 2;
     };
     for (std::uint32_t i = 0; i < program.leaves.size(); ++i) {
@@ -381,9 +382,10 @@ void describe_for_packets(Program& program) {
         if (u.count > 0 && u.silent_cutters) {
             if (program.matter_by_author) label.kind = ClassLabel::Kind::kHeld;
         } else if (u.count == 1) {
-            label = {ClassLabel::Kind::kUse, false, program.leaves[u.leaf].use};
+            label = {ClassLabel::Kind::kUse, true, false, program.leaves[u.leaf].use};
         }
         label.of_facets = u.of_facets;
+        label.exact = u.exact;
         program.some_depend = program.some_depend || label.kind == ClassLabel::Kind::kDepends;
         program.class_labels.push_back(label);
     }
