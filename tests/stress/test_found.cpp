@@ -131,3 +131,26 @@ TEST_CASE("a turned edge that passes the axis ends there") {
         CHECK(spans.size() == 1);
     }
 }
+
+TEST_CASE("what stands for a turned ellipse is near it and not certified") {
+    SolidBuilder b({false, false, false});
+    Placement stretched = moved(10, 0, 0);
+    stretched.m[5] = 2;
+    const NodeId ellipse = b.combine(SetOp::kUnion, {use(b.shape(shape::Disc{3}), stretched)});
+    const auto program = compile(b.finish(use(b.shape(shape::Revolution{ellipse, 0, 360, 0}))));
+    REQUIRE(program);
+    Scratch scratch;
+    Spans spans;
+    all_spans(**program, ray({-20, 0, 0}, {1, 0, 0}), scratch, spans);
+    REQUIRE(spans.size() == 2);
+    CHECK(spans[0].in->t == Approx(7).margin(3 * 0x1p-11));
+    CHECK(spans[1].out->t == Approx(33).margin(3 * 0x1p-11));
+    CHECK(!spans[0].in->certified);
+    std::vector<Ray> rays(64, ray({-20, 0, 0}, {1, 0, 0}));
+    for (std::size_t i = 0; i < rays.size(); ++i) rays[i].direction = {1, 0.01 * static_cast<double>(i % 8), 0.01 * static_cast<double>(i / 8)};
+    std::vector<Hit> hits(rays.size());
+    const auto found = std::make_unique<bool[]>(rays.size());
+    first_hits(**program, rays.data(), static_cast<int>(rays.size()), HUGE_VAL, scratch, hits.data(), found.get());
+    for (std::size_t i = 0; i < rays.size(); ++i) CHECK((!found[i] || !hits[i].end.certified));
+    CHECK(found[0]);
+}

@@ -73,7 +73,6 @@ private:
     FormulaId prism(const std::vector<std::vector<Vec2>>& contours, const Site& site);
 
     // Revolution of a 2D node; `plane` maps the profile's plane (x: radius, y: height).
-    bool revolvable(NodeId id, const Chain& plane) const;
     FormulaId revolved(NodeId id, const Chain& plane, const Site& site);
     FormulaId revolved_disc(double x, double z, double r, const Site& site);
     FormulaId revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site);

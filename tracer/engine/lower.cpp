@@ -202,7 +202,7 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
                 if (s.twist_deg == 0 && s.slices == 0 && has_straight_sides(s.profile)) return stretched(id, s, site);
                 return faceted(id, site);
             } else if constexpr (std::is_same_v<S, shape::Revolution>) {
-                if (s.fragments == 0 && revolvable(s.profile, Chain())) return operator_shape(s, site);
+                if (s.fragments == 0) return operator_shape(s, site);
                 return faceted(id, site);
             } else {
                 return operator_shape(s, site);

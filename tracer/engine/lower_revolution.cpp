@@ -1,10 +1,14 @@
-// lower_revolution.cpp — a 2D set turned about z: discs become tori or balls, polygons become rings of cones and cylinders between planes.
+// lower_revolution.cpp — a 2D set turned about z: discs become tori or balls, polygons become rings of cones and cylinders between planes; polygons
+// stand for ellipses and parabolas.
 //
 // Revolution commutes with set operations, so only leaves matter. A polygon is cut at the heights of its vertices; between two heights its edges
 // do not cross and, in pairs, bound rings. The cutting planes are shared classes, so the rings join without seams.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/facets.h"
 #include "csg/solid/parabola.h"
 #include "tracer/engine/formula_builder.h"
 
@@ -12,8 +16,15 @@ namespace whittle {
 
 namespace {
 
-// A turned parabola is a surface of degree four that the engine has no roots for: cones through chords within this share of the segment's size.
+// A turned parabola or ellipse is a surface of degree four that the engine has no roots for: cones through chords within this share of its size.
 constexpr double kTurnedTolerance = 0x1p-10;
+// Of an ellipse, which its polygon equals in area and so, turned, in volume (Pappus): nowhere farther away than 2^-12.
+constexpr int kTurnedChords = 128;
+
+std::vector<Vec2> polygon_like_disc(double r) {
+    const double step_deg = 360.0 / kTurnedChords, area = std::numbers::pi / 180 * step_deg;
+    return circle_points(r * std::sqrt(area / sind(step_deg)), kTurnedChords);
+}
 
 struct Matrix2 {
     double xx, xy, yx, yy, x, y;
@@ -73,15 +84,6 @@ std::vector<double> cuts_of(const std::vector<Edge>& edges) {
 
 }  // namespace
 
-bool FormulaBuilder::revolvable(NodeId id, const Chain& plane) const {
-    const Node& n = solid_.node(id);
-    if (const auto* c = std::get_if<Combination>(&n))
-        return std::all_of(c->operands.begin(), c->operands.end(), [&](const Use& u) { return revolvable(u.node, plane.then(u.placement)); });
-    double scale = 1;
-    if (std::holds_alternative<shape::Disc>(std::get<Shape>(n))) return keeps_discs(flat(plane), scale);
-    return true;
-}
-
 FormulaId FormulaBuilder::operator_shape(const shape::Revolution& s, const Site& site) {
     const FormulaId whole = revolved(s.profile, Chain(), site);
     if (s.angle_deg >= 360) return whole;
@@ -117,13 +119,15 @@ FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& si
     const Shape& shape = std::get<Shape>(n);
     if (const auto* disc = std::get_if<shape::Disc>(&shape)) {
         double scale = 1;
-        keeps_discs(m, scale);
-        return revolved_disc(m.x, m.y, disc->r * scale, site);
+        if (keeps_discs(m, scale)) return revolved_disc(m.x, m.y, disc->r * scale, site);
     }
     std::vector<std::vector<Vec2>> contours;
     Site where = site;
     if (const auto* r = std::get_if<shape::Rectangle>(&shape)) {
         contours = {{r->lo, {r->hi.x, r->lo.y}, r->hi, {r->lo.x, r->hi.y}}};
+    } else if (const auto* disc = std::get_if<shape::Disc>(&shape)) {
+        contours = {polygon_like_disc(disc->r)};
+        where.exact = false;
     } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&shape)) {
         const double size = glm::length(solid_.bounds(id).hi - solid_.bounds(id).lo);
         contours = {parabola_corners(*segment, parabola_chords(*segment, size * kTurnedTolerance))};
