@@ -154,3 +154,12 @@ TEST_CASE("what stands for a turned ellipse is near it and not certified") {
     for (std::size_t i = 0; i < rays.size(); ++i) CHECK((!found[i] || !hits[i].end.certified));
     CHECK(found[0]);
 }
+
+TEST_CASE("a taper that ends in a line has no films beyond its ends") {
+    SolidBuilder b;
+    const std::vector<std::vector<Vec2>> holed{{{0, 0}, {2, 0}, {0, 2}}, {{0.5, 0.5}, {0.5, 1}, {1, 0.5}}};
+    const NodeId profile = b.shape(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(holed)});
+    const NodeId taper = b.shape(shape::Extrusion{profile, 0, 1.5, 0, {0.5, 0}, 0});
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(taper, moved(2, 2, -1.5))}), moved(1.75, 2, 2)));
+    CHECK(fault(solid, ray({0.25, 4, 2}, {-3.5, -5.75, -1.5})).empty());
+}

@@ -81,6 +81,9 @@ FormulaId FormulaBuilder::stretched(NodeId id, const shape::Extrusion& e, const 
         Placer placer(out_, site.chain, site.motion, box, Absorb::kExact);
         std::vector<HalfSpaceRef> sides{placer.axis_plane(2, e.z0, false), placer.axis_plane(2, e.z1, true)};
         for (std::size_t i = 0; i < part.size(); ++i) sides.push_back(stretched_side(placer, e, part[i], part[(i + 1) % part.size()]));
+        // Where one scale nearly ends in 0 all sides run into one line, beyond whose ends rounding would leave films without end.
+        if (e.scale_top.x != e.scale_top.y)
+            for (int axis = 0; axis < 2; ++axis) sides.insert(sides.end(), {placer.axis_plane(axis, box.lo[axis], false), placer.axis_plane(axis, box.hi[axis], true)});
         Bounds around = placer.root_box();
         const Vec3 size = around.hi - around.lo;
         const double room = kBeyondCorners * std::max({size.x, size.y, size.z});
