@@ -217,6 +217,10 @@ std::string continuation_disagreement(const Subject& subject, const Ray& ray, Sc
     while (dot(next.direction, next.direction) < 0.01);
     std::set<std::uint32_t> leaving;
     for (int i = 0; i < departure.count; ++i) leaving.insert(subject.support_of_class[departure.classes[static_cast<std::size_t>(i)]]);
+    // Halves of one curve, with control points of their own, are two classes of the engine and one support here: leaving one is then not leaving it.
+    const auto end = departure.classes.begin() + departure.count;
+    for (ClassId id = 0; id < subject.support_of_class.size(); ++id)
+        if (leaving.count(subject.support_of_class[id]) != 0 && std::find(departure.classes.begin(), end, id) == end) return {};
     const Borders want = subject.exact->borders(next, leaving);
     ++tally.continued;
     const auto told = [&](const std::string& why) { return fmt::format("leaving at {:.17g} in {}: {}", hit.end.t, to_text(next), why); };

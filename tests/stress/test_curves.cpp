@@ -63,6 +63,17 @@ Ray some_ray(const std::vector<Vec3>& points, Random& random, bool& at_corner) {
     return ray;
 }
 
+// Slow rays, so that a solid of a few units has borders at several of theirs.
+void check_rays(const Subject& subject, const std::vector<Vec3>& points, int rays, Random& random, Tally& tally) {
+    Scratch scratch;
+    for (int i = 0; i < rays; ++i) {
+        bool at_corner = false;
+        Ray ray = some_ray(points, random, at_corner);
+        ray.direction *= 0x1p-6;
+        CHECK(disagreement(subject, ray, scratch, random, tally) == "");
+    }
+}
+
 }  // namespace
 
 TEST_CASE("letters of curves agree with the exact reference") {
@@ -80,7 +91,7 @@ TEST_CASE("letters of curves agree with the exact reference") {
             bool at_corner = false;
             const Ray ray = some_ray(points, random, at_corner);
             std::string why = disagreement(subject, ray, scratch, random, tally);
-            // What leaves a rounding from a corner leaves a face that the rounding chose.
+            // What leaves a corner begins off it by rounding: engine and reference may differ there by a film as short (seed 205: 1.2e-15 long).
             if (why.empty() && !at_corner) why = continuation_disagreement(subject, ray, scratch, random, tally);
             INFO(support::to_code(solid));
             REQUIRE(why == "");
@@ -109,13 +120,7 @@ TEST_CASE("a segment of a parabola that shrinks on its way up is a cone") {
     CHECK(spans[0].out->t == Approx(1 + k * (1 - 0.16)).epsilon(1e-15));
     std::mt19937_64 random(1);
     Tally tally;
-    const std::vector<Vec3> points{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.5, 0, 2}, {0.5, 0, 2}, {0, 0.5, 2}};
-    for (int i = 0; i < 200; ++i) {
-        bool at_corner = false;
-        ray = some_ray(points, random, at_corner);
-        ray.direction *= 0x1p-6;
-        CHECK(disagreement(subject, ray, scratch, random, tally) == "");
-    }
+    check_rays(subject, {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.5, 0, 2}, {0.5, 0, 2}, {0, 0.5, 2}}, 200, random, tally);
     CHECK(tally.borders > 20);
 }
 
@@ -147,12 +152,7 @@ TEST_CASE("a taper of straight sides is made of planes and quadrics") {
         REQUIRE(subject.program);
         std::vector<Vec3> points;
         for (const Vec2& p : corners) points.push_back(Vec3(p, 0)), points.push_back(Vec3(p * top, 2));
-        for (int i = 0; i < 150; ++i) {
-            bool at_corner = false;
-            ray = some_ray(points, random, at_corner);
-            ray.direction *= 0x1p-5;
-            CHECK(disagreement(subject, ray, scratch, random, tally) == "");
-        }
+        check_rays(subject, points, 150, random, tally);
     }
     CHECK(tally.borders > 60);
     CHECK(tally.uncertified == 0);

@@ -80,6 +80,7 @@ private:
     FormulaId wedge(double start_deg, double angle_deg, const Bounds& box, const Site& site);
 
     // Nodes; simplified where that needs no geometry. AND and OR swap where the site is negated.
+    static FormulaNode leaf(FormulaKind kind, const Bounds& box, const Site& site);
     FormulaId cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site);
     FormulaId all_of(std::vector<FormulaId> children, const Site& site);
     FormulaId any_of(std::vector<FormulaId> children, const Site& site);

@@ -161,14 +161,18 @@ FormulaId FormulaBuilder::join(FormulaKind kind, std::vector<FormulaId> children
     return push(std::move(n));
 }
 
-FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site) {
+FormulaNode FormulaBuilder::leaf(FormulaKind kind, const Bounds& box, const Site& site) {
     FormulaNode n;
-    n.kind = FormulaKind::kCell;
-    n.negated = site.negated;
-    n.outside_value = site.negated;
+    n.kind = kind;
+    n.negated = n.outside_value = site.negated;
+    n.exact = site.exact;
     n.box = box;
     n.use = site.use;
-    n.exact = site.exact;
+    return n;
+}
+
+FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site) {
+    FormulaNode n = leaf(FormulaKind::kCell, box, site);
     n.half_spaces = std::move(half_spaces);
     return push(std::move(n));
 }

@@ -148,11 +148,7 @@ FormulaId FormulaBuilder::prism(const std::vector<std::vector<Vec2>>& contours, 
         for (std::size_t i = 0; i < moved.size(); ++i) data.edges.push_back(p.edge_plane(data.axis, moved[i], moved[(i + 1) % moved.size()]));
         data.contours.push_back(std::move(moved));
     }
-    FormulaNode n;
-    n.kind = FormulaKind::kPrism;
-    n.negated = n.outside_value = site.negated;
-    n.box = p.root_box();
-    n.use = site.use;
+    FormulaNode n = leaf(FormulaKind::kPrism, p.root_box(), site);
     n.data = static_cast<std::uint32_t>(out_.prisms.size());
     out_.prisms.push_back(std::move(data));
     return push(std::move(n));
@@ -188,11 +184,7 @@ FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
     if (list->triangles.empty()) return constant(site.negated);
     MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
     for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));
-    FormulaNode n;
-    n.kind = FormulaKind::kMesh;
-    n.negated = n.outside_value = site.negated;
-    n.box = p.root_box();
-    n.use = site.use;
+    FormulaNode n = leaf(FormulaKind::kMesh, p.root_box(), site);
     n.data = static_cast<std::uint32_t>(out_.meshes.size());
     out_.meshes.push_back(std::move(part));
     return push(std::move(n));
