@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,7 +22,7 @@ struct Departure {
     int count = 0;
 };
 
-// Points origin + t*direction, t >= 0. The direction is not normalised and t is in units of it.
+// Points origin + t*direction, t >= 0. The direction is not normalised and t is in units of it. See is_askable() for the numbers it may hold.
 struct Ray {
     Vec3 origin{0};
     Vec3 direction{0, 0, 1};
@@ -29,6 +30,15 @@ struct Ray {
     std::uint32_t wavelength = 0;  // slot of the hero wavelength; 0: none
     const Departure* departure = nullptr;
 };
+
+// Are the six numbers within what the bounds of the engine were derived for? No product of a few of them and of a scene's lengths may overflow, nor lose
+// bits to underflow. Queries require it.
+inline bool is_askable(const Ray& ray) {
+    constexpr double kLeast = 0x1p-300, kMost = 0x1p300;  // 5e-91, 2e90
+    for (int k = 0; k < 3; ++k)
+        if (const double size = std::fabs(ray.direction[k]); !(std::fabs(ray.origin[k]) <= kMost) || !(size == 0 || (size >= kLeast && size <= kMost))) return false;
+    return ray.direction != Vec3(0);
+}
 
 inline Vec3 point_at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
 

@@ -316,7 +316,7 @@ void Declaration::declare_check() {
 void Declaration::declare_spans() {
     constexpr const char* kGroup = "Rays";
     auto& spans = request_.spans;
-    value("--ray", "ox,oy,oz,dx,dy,dz", "Origin and direction (of any length; t is in units of it)", kGroup,
+    value("--ray", "ox,oy,oz,dx,dy,dz", "Origin and direction (t is in units of it; no part of it under 1e-90 but 0, none over 1e90)", kGroup,
           [&spans](const std::string& t) { return read_ray(t, spans.rays); });
     text("--rays", "FILE", "One ray a line: ox oy oz dx dy dz; - is standard input", spans.rays_file, kGroup);
 }

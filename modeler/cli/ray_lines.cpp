@@ -20,7 +20,7 @@ constexpr std::size_t kPieceBytes = 1 << 20;
 bool read_ray(std::string_view line, Ray& ray) {
     for (double* number : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y, &ray.direction.z})
         if (!take_number(line, *number)) return false;
-    return line.find_first_not_of(" \t\r") == std::string_view::npos && ray.direction != Vec3(0);
+    return line.find_first_not_of(" \t\r") == std::string_view::npos && is_askable(ray);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Result<void> RayLines::take_line(std::string_view line, std::vector<Ray>& rays) 
     if (first == std::string_view::npos || line[first] == '#') return {};
     Ray ray;
     if (!read_ray(line, ray))
-        return fail(Fault::kCommand, fmt::format("{}, line {}: a ray is six numbers, ox oy oz dx dy dz, with a direction", path_ == "-" ? "standard input" : path_, line_));
+        return fail(Fault::kCommand, fmt::format("{}, line {}: a ray is six numbers, ox oy oz dx dy dz, with a direction (no part of it under 1e-90 but 0, none over 1e90)", path_ == "-" ? "standard input" : path_, line_));
     rays.push_back(ray);
     return {};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/eval/canonicalise.h"
+#include "csg/span/ray.h"
 #include "modeler/mesh/reference_mesh.h"
 #include "tracer/image/image_file.h"
 #include "tracer/light/render.h"
@@ -70,8 +71,8 @@ struct CheckRequest {
 };
 
 struct SpansRequest {
-    std::vector<std::array<double, 6>> rays;  // --ray, each ox oy oz dx dy dz
-    std::string rays_file;                    // --rays; "-" is standard input
+    std::vector<Ray> rays;     // --ray
+    std::string rays_file;     // --rays; "-" is standard input
 };
 
 struct Request {

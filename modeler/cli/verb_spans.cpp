@@ -57,21 +57,10 @@ private:
     tbb::enumerable_thread_specific<Scratch> scratch_;
 };
 
-std::vector<Ray> rays_of(const SpansRequest& request) {
-    std::vector<Ray> rays;
-    for (const auto& n : request.rays) {
-        Ray ray;
-        ray.origin = {n[0], n[1], n[2]};
-        ray.direction = {n[3], n[4], n[5]};
-        rays.push_back(ray);
-    }
-    return rays;
-}
-
 Error output_failed() { return {Fault::kWorld, std::string("cannot write to standard output: ") + std::strerror(errno)}; }
 
 Result<void> answer_all(const SpansRequest& request, Answerer& answerer) {
-    if (!request.rays.empty() && !answerer.answer(rays_of(request))) return tl::unexpected<Error>(output_failed());
+    if (!request.rays.empty() && !answerer.answer(request.rays)) return tl::unexpected<Error>(output_failed());
     if (request.rays_file.empty()) return {};
     auto lines = RayLines::open(request.rays_file);
     if (!lines) return tl::unexpected<Error>(lines.error());

@@ -74,13 +74,13 @@ bool read_camera(const std::string& text, std::vector<double>& numbers) {
     return true;
 }
 
-bool read_ray(const std::string& text, std::vector<std::array<double, 6>>& rays) {
+bool read_ray(const std::string& text, std::vector<Ray>& rays) {
     const auto n = numbers_in(text);
-    if (!n || n->size() != 6 || ((*n)[3] == 0 && (*n)[4] == 0 && (*n)[5] == 0)) return false;
-    std::array<double, 6> ray{};
-    std::copy(n->begin(), n->end(), ray.begin());
+    if (!n || n->size() != 6) return false;
+    Ray ray;
+    for (int k = 0; k < 3; ++k) ray.origin[k] = (*n)[static_cast<std::size_t>(k)], ray.direction[k] = (*n)[static_cast<std::size_t>(k) + 3];
     rays.push_back(ray);
-    return true;
+    return is_askable(ray);
 }
 
 bool read_planes(const std::string& text, AovSet& planes) {

@@ -18,7 +18,7 @@ std::vector<std::string> words_in(const std::string& text);
 bool read_curves(const std::string& text, CanonicaliseOptions& reading);              // auto, exact, exact:N, faceted
 bool read_size(const std::string& text, int& width, int& height);                     // W,H in pixels
 bool read_camera(const std::string& text, std::vector<double>& numbers);              // six or seven numbers
-bool read_ray(const std::string& text, std::vector<std::array<double, 6>>& rays);     // six numbers, the last three not all 0
+bool read_ray(const std::string& text, std::vector<Ray>& rays);                      // six numbers that make an askable ray
 bool read_planes(const std::string& text, AovSet& planes);                            // depth,normal,...
 bool read_clip(const std::string& text, std::vector<std::array<double, 4>>& clips);   // nx,ny,nz,d
 bool read_tile(const std::string& text, std::optional<TileRegion>& region);           // x,y,w,h

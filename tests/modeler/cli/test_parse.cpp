@@ -132,8 +132,9 @@ TEST_CASE("--colorscheme means the preview, and goes with no other integrator") 
 TEST_CASE("rays may begin with a minus and be given more than once") {
     const Request request = read({"spans", "a.scad", "--ray", "-1,2,3,0,0,1", "--ray=-.5,0,1e3,1,-1,0"});
     REQUIRE(request.spans.rays.size() == 2);
-    CHECK(request.spans.rays[0] == std::array<double, 6>{-1, 2, 3, 0, 0, 1});
-    CHECK(request.spans.rays[1] == std::array<double, 6>{-.5, 0, 1000, 1, -1, 0});
+    CHECK(request.spans.rays[0].origin == Vec3(-1, 2, 3));
+    CHECK(request.spans.rays[1].origin == Vec3(-.5, 0, 1000));
+    CHECK(request.spans.rays[1].direction == Vec3(1, -1, 0));
     CHECK(read({"spans", "a.scad", "--rays", "-"}).spans.rays_file == "-");
 }
 
@@ -153,7 +154,8 @@ TEST_CASE("a value that is not what the option wants is refused with what it wan
         INFO(words[0] << " " << words[1]);
         CHECK(contains(refusal(line), message));
     }
-    CHECK(contains(refusal({"spans", "a", "--ray", "0,0,0,0,0,0"}), "--ray wants ox,oy,oz,dx,dy,dz"));
+    for (const char* ray : {"0,0,0,0,0,0", "0,0,0,0,0,1e-320", "0,0,0,1,1e-200,0", "0,0,0,1e200,0,0", "1e300,0,0,1,0,0"})
+        CHECK(contains(refusal({"spans", "a", "--ray", ray}), "--ray wants ox,oy,oz,dx,dy,dz"));
     CHECK(contains(refusal({"mesh", "a", "--tolerance", "0"}), "--tolerance wants MM"));
 }
 
