@@ -8,6 +8,8 @@ is compared by the ratio after/before of its speed within a pair: the median, th
     bench/compare_commits.py HEAD~1 HEAD -- --scenes S1,S2,S6 --queries first --rays camera --only whittle
     bench/compare_commits.py main HEAD --rounds 15 --program 'render examples/menger.scad --imgsize 320,240 --threads 1 -q -o {out}.png'
 
+    bench/compare_commits.py HEAD HEAD --later-options=-DWHITTLE_CERTIFICATES=OFF -- --only whittle     (what the bounds of errors cost)
+
 With --program the words are whittle's own, and what is compared is processor time ({out} is a name in a folder of that commit).
 """
 import argparse, csv, os, resource, statistics, subprocess, sys, tempfile
@@ -15,16 +17,16 @@ import argparse, csv, os, resource, statistics, subprocess, sys, tempfile
 def run(words, **options):
     return subprocess.run(words, check=True, **options)
 
-def build(commit, folder, jobs, target):
+def build(commit, folder, jobs, target, cmake_options):
     name = subprocess.run(['git', 'rev-parse', '--short=12', commit + '^{commit}'], check=True, capture_output=True, text=True).stdout.strip()
     tree = os.path.join(folder, name)
     if not os.path.isdir(tree):
         run(['git', 'worktree', 'add', '--detach', '--quiet', tree, name])
-    out = os.path.join(tree, 'build')
+    out = os.path.join(tree, 'build' + ''.join(cmake_options).replace('/', '_'))
     here = {**os.environ, 'CCACHE_BASEDIR': tree}
-    run(['cmake', '--preset', 'release', '-B', out, '-DWHITTLE_BENCH=ON', '-DWHITTLE_TESTS=OFF'], stdout=subprocess.DEVNULL, cwd=tree, env=here)
+    run(['cmake', '--preset', 'release', '-B', out, '-DWHITTLE_BENCH=ON', '-DWHITTLE_TESTS=OFF', *cmake_options], stdout=subprocess.DEVNULL, cwd=tree, env=here)
     run(['ninja', '-C', out, f'-j{jobs}', target], stdout=subprocess.DEVNULL, env=here)
-    return name, out
+    return ' '.join([name, *cmake_options]), out
 
 # Rows of one round by their name; greater is faster.
 def round_of_rays(out, words):
@@ -52,6 +54,7 @@ def main():
     parser.add_argument('--rounds', type=int, default=9)
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--folder', default=os.path.join(tempfile.gettempdir(), 'whittle-compared'))
+    parser.add_argument('--later-options', default='', help='for cmake, of the second of them')
     parser.add_argument('--program', help="words for whittle instead of whittle-bench rays")
     options = parser.parse_args(arguments)
     if options.rounds < 1:
@@ -59,7 +62,8 @@ def main():
     os.makedirs(options.folder, exist_ok=True)
     target = 'whittle' if options.program else 'whittle-bench'
     try:
-        (before, old), (after, new) = (build(c, options.folder, options.jobs, target) for c in (options.before, options.after))
+        (before, old), (after, new) = (build(c, options.folder, options.jobs, target, more)
+                                        for c, more in ((options.before, []), (options.after, options.later_options.split())))
         ratios = {}
         for i in range(options.rounds):
             speeds = {}

@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "tracer/engine/certificates.h"
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
 #include "tracer/engine/space.h"
@@ -97,7 +98,7 @@ private:
         leaf.use = n.use;
         leaf.fills = !program_.uses[n.use].subtracts;
         leaf.first = n.data;
-        leaf.exact = n.kind == FormulaKind::kMesh ? formula_.meshes[n.data].exact : n.exact;
+        leaf.exact = kCertifies && (n.kind == FormulaKind::kMesh ? formula_.meshes[n.data].exact : n.exact);
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);
         program_.leaf_boxes.push_back(outward(n.box));

@@ -78,7 +78,7 @@ bool RayContext::leaves(ClassId id) const {
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
     const FrameRay& local = frame_ray(s.frame);
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
-    if (decided) return;
+    if (decided || !kCertifies) return;
     ++counters_->escalated_double_double;
     if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
 }
@@ -123,7 +123,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
 
 int RayContext::compare_closely(const Event& a, const Event& b) {
     if (a.id == b.id) return a.id == kNoClass ? (a.t > b.t) - (a.t < b.t) : (a.index > b.index) - (a.index < b.index);
-    if (a.error == 0 && b.error == 0) return (a.t > b.t) - (a.t < b.t);
+    if ((a.error == 0 && b.error == 0) || !kCertifies) return (a.t > b.t) - (a.t < b.t);
     ++counters_->escalated_double_double;
     double ah = 0, al = 0, ae = 0, bh = 0, bl = 0, be = 0;
     if (fine(a, ah, al, ae) && fine(b, bh, bl, be)) {
