@@ -11,6 +11,7 @@
 #include "csg/solid/facets.h"
 #include "csg/solid/polyhedron.h"
 #include "modeler/export/number_text.h"
+#include "modeler/export/pov_growth.h"
 #include "modeler/export/pov_shapes.h"
 #include "tracer/image/tone.h"
 #include "tracer/light/lights.h"
@@ -41,10 +42,10 @@ std::string texture_of(const Surface& s) {
 class PovWriter {
 public:
     PovWriter(const Solid& solid, const MeshOptions& mesh, PovGroups groups, PovFile& file)
-        : solid_(solid), mesh_options_(mesh), groups_(groups), file_(file), inner_faces_show_(is_see_through(solid)) {}
+        : solid_(solid), mesh_options_(mesh), groups_(groups), file_(file), inner_faces_show_(is_see_through(solid)), growth_(solid) {}
 
     Result<void> write() {
-        const auto root = object(solid_.root(), Material{}, false);
+        const auto root = object(solid_.root(), Material{}, {});
         if (!root) return tl::unexpected(root.error());
         file_.text += *root + "\n";
         if (meshes_ > 0)
@@ -67,27 +68,29 @@ private:
     }
 
     // "object{n7 matrix<...>}" after its declaration.
-    Result<std::string> object(const Use& use, const Material& outer, bool cuts) {
+    Result<std::string> object(const Use& use, const Material& outer, PovPlace place) {
         const Material material = use.label == kNoLabel ? outer : nested(outer, solid_.label(use.label).material);
-        const auto name = declared(use.node, material, cuts);
-        if (!name) return name;
         Placement placement = use.placement;
         if (use.motion != 0) placement = placement * solid_.motion(use.motion).start;
+        place.frame = place.frame * placement;
+        const auto name = declared(use.node, material, place);
+        if (!name) return name;
         return "object{" + *name + pov_matrix(placement) + "}";
     }
 
-    Result<std::string> declared(NodeId node, const Material& material, bool cuts) {
+    Result<std::string> declared(NodeId node, const Material& material, const PovPlace& place) {
         const std::size_t paint = paint_of(material);
-        const auto key = std::tuple(node, paint, cuts);
+        const auto key = std::tuple(node, paint, place.cuts, growth_.key(place));
         if (const auto known = names_.find(key); known != names_.end()) return known->second;
         const auto* shape = std::get_if<Shape>(&solid_.node(node));
-        auto body = shape ? leaf(node, *shape) : combination(std::get<Combination>(solid_.node(node)), material, cuts);
+        auto body = shape ? leaf(node, *shape) : combination(std::get<Combination>(solid_.node(node)), material, place);
         if (!body) return body;
-        if (shape && !(cuts && !material.names_surface())) {
+        if (shape && !(place.cuts && !material.names_surface())) {
             const auto surface = resolve_surface(material);
             if (!surface) return tl::unexpected(surface.error());
             *body += texture_of(*surface);
         }
+        if (shape) *body += pov_matrix(growth_.grown(solid_.bounds(node), place));
         return names_[key] = declare(*body + "}");
     }
 
@@ -106,11 +109,13 @@ private:
 
     const char* opening_of(SetOp op) const { return op == SetOp::kUnion ? (inner_faces_show_ ? "merge{" : "union{") : op == SetOp::kIntersection ? "intersection{" : "difference{"; }
 
-    Result<std::string> combination(const Combination& c, const Material& material, bool cuts) {
+    Result<std::string> combination(const Combination& c, const Material& material, const PovPlace& place) {
         std::string out = c.operands.size() == 1 ? "object{" : opening_of(c.op);
         std::vector<BoxedText> parts;
+        const std::vector<int> steps = growth_.steps_of_operands(c);
         for (std::size_t i = 0; i < c.operands.size(); ++i) {
-            const auto operand = object(c.operands[i], material, c.op == SetOp::kDifference && i > 0 ? !cuts : cuts);
+            const PovPlace inner{place.frame, place.steps + steps[i], place.cuts || (c.op == SetOp::kDifference && i > 0)};
+            const auto operand = object(c.operands[i], material, inner);
             if (!operand) return operand;
             const Use& use = c.operands[i];
             parts.push_back({*operand, use_bounds(solid_.bounds(use.node), use, solid_.motion(use.motion))});
@@ -118,7 +123,8 @@ private:
         const std::size_t alone = c.op == SetOp::kDifference ? 1 : c.op == SetOp::kIntersection ? parts.size() : 0;
         for (std::size_t i = 0; i < std::min(alone, parts.size()); ++i) out += (i > 0 ? " " : "") + parts[i].text;
         if (alone < parts.size()) out += (alone > 0 ? " " : "") + grouped(parts.data() + alone, parts.data() + parts.size(), false);
-        return c.op == SetOp::kDifference && c.operands.size() > 1 ? out + " cutaway_textures" : out;
+        // Within a cutter nothing may have a texture: the difference that it cuts finds one.
+        return c.op == SetOp::kDifference && c.operands.size() > 1 && !place.cuts ? out + " cutaway_textures" : out;
     }
 
     struct BoxedText {
@@ -216,7 +222,8 @@ private:
     PovGroups groups_;
     PovFile& file_;
     bool inner_faces_show_;
-    std::map<std::tuple<NodeId, std::size_t, bool>, std::string> names_;
+    PovGrowth growth_;
+    std::map<std::tuple<NodeId, std::size_t, bool, PovGrowth::Key>, std::string> names_;
     std::vector<Material> materials_;
     std::size_t declared_ = 0, meshes_ = 0;
 };

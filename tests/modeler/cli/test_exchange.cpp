@@ -161,10 +161,44 @@ TEST_CASE("surface() and files of the openscad package give its volumes") {
     }
 }
 
+namespace {
+
+struct PicturesApart {
+    double mean = 0, far_share = 0;  // of a channel; of pixels that differ by more than a tenth
+};
+
+// How far POV-Ray's picture of the scene's .pov is from ours.
+PicturesApart by_povray(const std::string& text) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", text);
+    REQUIRE(run_whittle({"render", scene, "-o", folder.name("ours.png"), "--imgsize", "240,180", "--samples", "16"}).code == 0);
+    REQUIRE(run_whittle({"-o", folder.name("a.pov"), scene, "--imgsize", "240,180"}).code == 0);
+    RunOptions there;
+    there.folder = folder.path().string();
+    REQUIRE(run_program(kPovray, {"+Ia.pov", "+Otheirs.png", "+W240", "+H180", "-D", "+A0.05", "+R3", "-GA"}, there).code == 0);
+    ImageFiles files(WHITTLE_BUILD_DIR);
+    const auto ours = files.read(folder.path() / "ours.png"), theirs = files.read(folder.path() / "theirs.png");
+    REQUIRE(ours);
+    REQUIRE(theirs);
+    PicturesApart sum;
+    const std::size_t pixels = static_cast<std::size_t>(ours->width) * static_cast<std::size_t>(ours->height), n = ours->channels.size(), m = theirs->channels.size();
+    for (std::size_t i = 0; i < pixels; ++i) {
+        double apart = 0;
+        for (std::size_t c = 0; c < 3; ++c) apart = std::max(apart, std::fabs(static_cast<double>(ours->floats[i * n + c]) - static_cast<double>(theirs->floats[i * m + c])));
+        sum.mean += apart / static_cast<double>(pixels);
+        sum.far_share += (apart > 0.1 ? 1 : 0) / static_cast<double>(pixels);
+    }
+    return sum;
+}
+
+// At edges the two average over different pixels.
+constexpr double kMean = 0.01, kFarShare = 0.03;
+
+}  // namespace
+
 TEST_CASE("POV-Ray draws our .pov as we draw the scene") {
     if (!std::filesystem::exists(kPovray)) return;
-    const TemporaryFolder folder;
-    const std::string scene = folder.file("a.scad", R"(
+    const PicturesApart apart = by_povray(R"(
 sun(direction = [-1, 0.5, -1]);
 environment(color = [0, 0, 0]);
 camera(eye = [60, -80, 70], target = [0, 0, 0], fov = 30);
@@ -177,26 +211,35 @@ material("matte") {
     color("white") translate([0, 0, -20]) cube([120, 120, 4], center = true);
 }
 )");
-    REQUIRE(run_whittle({"render", scene, "-o", folder.name("ours.png"), "--imgsize", "240,180", "--samples", "16"}).code == 0);
-    REQUIRE(run_whittle({"-o", folder.name("a.pov"), scene, "--imgsize", "240,180"}).code == 0);
-    RunOptions there;
-    there.folder = folder.path().string();
-    REQUIRE(run_program(kPovray, {"+Ia.pov", "+Otheirs.png", "+W240", "+H180", "-D", "+A0.05", "+R3", "-GA"}, there).code == 0);
-    ImageFiles files(WHITTLE_BUILD_DIR);
-    const auto ours = files.read(folder.path() / "ours.png"), theirs = files.read(folder.path() / "theirs.png");
-    REQUIRE(ours);
-    REQUIRE(theirs);
-    double sum = 0;
-    std::size_t far = 0, pixels = static_cast<std::size_t>(ours->width) * static_cast<std::size_t>(ours->height);
-    const std::size_t n = ours->channels.size(), m = theirs->channels.size();
-    for (std::size_t i = 0; i < pixels; ++i) {
-        double apart = 0;
-        for (std::size_t c = 0; c < 3; ++c) apart = std::max(apart, std::fabs(static_cast<double>(ours->floats[i * n + c]) - static_cast<double>(theirs->floats[i * m + c])));
-        sum += apart;
-        far += apart > 0.1;
+    CHECK(apart.mean < kMean);
+    CHECK(apart.far_share < kFarShare);
+}
+
+TEST_CASE("POV-Ray cuts what is flush, and shows the colours that we show") {
+    if (!std::filesystem::exists(kPovray)) return;
+    const PicturesApart apart = by_povray(R"(
+sun(direction = [-1, 0.5, -1]);
+environment(color = [0, 0, 0]);
+camera(eye = [60, -80, 70], target = [0, 0, 0], fov = 30);
+material("matte") {
+    // Flush bores, and a cutter within a cutter whose faces show the body.
+    color("orangered") translate([-14, 0, 0]) difference() {
+        cube(20, center = true);
+        difference() { cube([12, 12, 20], center = true); cylinder(h = 20, r = 4, center = true); }
     }
-    CHECK(sum / static_cast<double>(pixels) < 0.01);
-    CHECK(static_cast<double>(far) / static_cast<double>(pixels) < 0.03);  // edges, where the two average over different pixels
+    color("skyblue") translate([14, 0, 0]) rotate([0, 0, 30]) difference() {
+        cylinder(h = 16, r = 10);
+        cylinder(h = 16, r = 6);
+        color("gold") translate([-10, -3, 8]) cube([20, 6, 8]);
+    }
+    // Two colours claim one face: the first written shows.
+    translate([0, -22, 0]) { color("lime") cube(8); color("white") translate([4, 0, 0]) cube([8, 8, 8]); }
+    translate([0, 22, 16]) scale([1, 1, 2]) intersection() { cube(10, center = true); translate([2, 0, 0]) cube([10, 10, 5], center = true); }
+    color("white") translate([0, 0, -14]) cube([120, 120, 4], center = true);
+}
+)");
+    CHECK(apart.mean < kMean);
+    CHECK(apart.far_share < kFarShare);
 }
 
 TEST_CASE("a library folder of OPENSCADPATH holds files that scenes import") {
