@@ -2,9 +2,11 @@
 #include "tracer/engine/placer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <tuple>
 
+#include "csg/solid/directed.h"
 #include "tracer/engine/mutation.h"
 
 namespace whittle {
@@ -162,11 +164,13 @@ Vec3 Placer::point(Vec3 p) { return {coordinate(0, p[map_.from[0]]), coordinate(
 
 double Placer::length(double r, int axis) { return rounded(magnitude(map_.scale[static_cast<std::size_t>(axis_of(axis))]) * r); }
 
-HalfSpaceRef Placer::add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted) {
+HalfSpaceRef Placer::add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted) { return add_to(frame_, kind, axis, p, inverted); }
+
+HalfSpaceRef Placer::add_to(FrameId frame, SupportKind kind, int axis, std::array<double, 10> p, bool inverted) {
     Support s;
     s.kind = kind;
     s.axis = static_cast<std::uint8_t>(axis);
-    s.frame = frame_;
+    s.frame = frame;
     for (double& x : p) x += 0.0;
     s.p = p;
     return {formula_.table.add(s, root_box_, rounding_, rounding_per_size_), inverted};
@@ -175,7 +179,25 @@ HalfSpaceRef Placer::add(SupportKind kind, int axis, std::array<double, 10> p, b
 HalfSpaceRef Placer::axis_plane(int axis, double value, bool below) {
     const int i = axis_of(axis);
     const bool flip = map_.scale[static_cast<std::size_t>(i)] < 0;
-    return add(SupportKind::kAxisPlane, i, {coordinate(static_cast<std::size_t>(i), value)}, below == flip);
+    const double at = coordinate(static_cast<std::size_t>(i), value);
+    if (const auto root = in_root(i, at)) return add_to(0, SupportKind::kAxisPlane, root->axis, {root->value}, below == (flip != root->flipped));
+    return add(SupportKind::kAxisPlane, i, {at}, below == flip);
+}
+
+// What turns about an axis keeps the planes across it: faces of one height are one support then, however far apart the parts stand.
+std::optional<Placer::RootPlane> Placer::in_root(int i, double value) const {
+    const Frame& frame = formula_.table.frames[frame_];
+    if (frame.motion != 0 || frame.identity) return std::nullopt;
+    const auto& m = frame.placement.m;
+    for (int k = 0; k < 3; ++k) {
+        const auto entry = [&](int column) { return m[static_cast<std::size_t>(4 * k + (i + column) % 3)]; };
+        if (entry(0) == 0 || entry(1) != 0 || entry(2) != 0) continue;
+        const double way = entry(0) * value, offset = frame.placement.offset(k), at = way + offset;
+        const bool exact = std::fma(entry(0), value, -way) == 0 && sum_error(way, offset, at) == 0 && (way == 0 ? value == 0 : std::abs(way) > kProductErrorExact);
+        if (!exact) return std::nullopt;
+        return RootPlane{k, at, entry(0) < 0};
+    }
+    return std::nullopt;
 }
 
 bool Placer::is_axis_plane(Vec3 n, double d) {

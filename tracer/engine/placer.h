@@ -1,6 +1,8 @@
 // placer.h — writes half-spaces given in a shape's own coordinates into the frame that holds them.
 #pragma once
 
+#include <optional>
+
 #include "tracer/engine/chain.h"
 #include "tracer/engine/formula.h"
 
@@ -51,7 +53,15 @@ public:
     const Bounds& root_box() const { return root_box_; }
 
 private:
+    struct RootPlane {
+        int axis;
+        double value;
+        bool flipped;
+    };
+    // The axis plane of the root frame that the frame's plane x_i = value is, where it is one exactly.
+    std::optional<RootPlane> in_root(int i, double value) const;
     HalfSpaceRef add(SupportKind kind, int axis, std::array<double, 10> p, bool inverted);
+    HalfSpaceRef add_to(FrameId frame, SupportKind kind, int axis, std::array<double, 10> p, bool inverted);
     double coordinate(std::size_t i, double local);
     double rounded(Wide x);
     double most_shrunk() const;

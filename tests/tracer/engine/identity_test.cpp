@@ -117,6 +117,30 @@ TEST_CASE("a solid less itself is empty, in one frame and written by another rot
     }
 }
 
+TEST_CASE("parts that stand on one plane, turned about its normal, share it however far apart they are") {
+    SolidBuilder b;
+    const NodeId block = b.shape(shape::Box{Vec3(0), Vec3(1, 2, 3)});
+    std::vector<Use> parts;
+    for (int i = 0; i < 10; ++i) {
+        Placement p = about_z(13 * i + 5);
+        p.m[3] = 7 * i;
+        p.m[11] = 0.25;
+        parts.push_back({block, 0, 0, p});
+    }
+    const auto program = compiled(b.finish({b.combine(SetOp::kUnion, parts), 0, 0, {}}));
+    CHECK(build_report(*program).classes == 10 * 4 + 2);
+    CHECK(build_report(*program).snap_fused == 0);
+    Scratch s;
+    Spans spans;
+    for (int i = 0; i < 10; ++i) {
+        const double turn = 13 * i + 5;
+        all_spans(*program, {{7.0 * i + 0.5 * cosd(turn) - sind(turn), 0.5 * sind(turn) + cosd(turn), -1}, {0.01, 0.01, 1}}, s, spans);
+        REQUIRE(spans.size() == 1);
+        CHECK(spans[0].in->t == 1.25);
+        CHECK(spans[0].in->normal == Vec3(0, 0, -1));
+    }
+}
+
 TEST_CASE("a cutter flush with a face leaves it open, in every frame") {
     for (const Placement& turn : {Placement{}, kTurn}) {
         SolidBuilder b;
