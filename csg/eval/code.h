@@ -127,7 +127,7 @@ struct Matched {
     std::uint64_t given = 0;               // which of the first 64 parameters
 };
 
-// Frame in which a callee is defined: some frames up, or a fresh one of a used file.
+// Activation in which a callee is defined: some frames up, or a fresh one of a used file.
 struct Home {
     std::uint32_t frames_up = 0;
     std::uint32_t library = kNone;

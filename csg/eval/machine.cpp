@@ -31,7 +31,7 @@ Machine::Machine(const Program& program, const Names& names, Heap& heap, const E
 Stop Machine::run(Scene& scene) {
     scene_ = &scene;
     Stop stop = Stop::kNone;
-    Frame* frame = heap_.frame(program_.files[0].layout.slots, nullptr);
+    Activation* frame = heap_.frame(program_.files[0].layout.slots, nullptr);
     try {
         const code::Scope& body = program_.scopes[program_.files[0].body];
         run_binds(body, frame);

@@ -32,7 +32,7 @@ struct StopRun {
 // An activation of a module: where its children are to be evaluated.
 struct ModuleCall {
     const code::Inst* inst = nullptr;
-    Frame* caller = nullptr;
+    Activation* caller = nullptr;
 };
 
 // The files of a run: where built-ins find what the author names, and the list of what was read.
@@ -87,53 +87,53 @@ private:
     using TermId = code::TermId;
 
     // Expressions (run_expression.cpp).
-    Value eval(TermId id, Frame* frame);
-    inline const Value& operand(TermId id, Frame* frame, Value& hold);
-    bool truth(TermId id, Frame* frame);
-    Value eval_arithmetic(const code::Term& term, TermId id, Frame* frame);
-    Value eval_comparison(const code::Term& term, TermId id, Frame* frame);
-    Value eval_index(const code::Term& term, Frame* frame);
-    Value eval_vector(const code::Term& term, TermId id, Frame* frame);
-    Value eval_builtin(const code::Term& term, TermId id, Frame* frame);
+    Value eval(TermId id, Activation* frame);
+    inline const Value& operand(TermId id, Activation* frame, Value& hold);
+    bool truth(TermId id, Activation* frame);
+    Value eval_arithmetic(const code::Term& term, TermId id, Activation* frame);
+    Value eval_comparison(const code::Term& term, TermId id, Activation* frame);
+    Value eval_index(const code::Term& term, Activation* frame);
+    Value eval_vector(const code::Term& term, TermId id, Activation* frame);
+    Value eval_builtin(const code::Term& term, TermId id, Activation* frame);
     template <std::size_t Count>
-    Value eval_builtin_of(const code::Term& term, TermId id, Frame* frame);
-    Value eval_slow(const code::Term& term, TermId id, Frame* frame);
+    Value eval_builtin_of(const code::Term& term, TermId id, Activation* frame);
+    Value eval_slow(const code::Term& term, TermId id, Activation* frame);
     [[noreturn]] void fail_too_nested(TermId id);
     Value eval_binary(ast::Op op, const Value& left, const Value& right, TermId id);
-    Value eval_range(const code::Term& node, TermId id, Frame* frame);
-    Value eval_member(const code::Term& term, Frame* frame);
+    Value eval_range(const code::Term& node, TermId id, Activation* frame);
+    Value eval_member(const code::Term& term, Activation* frame);
     Value member_of(const Value& record, std::string_view name);
     Value swizzle(const Value& vector, const std::string& name);
     Value eval_dynamic(const code::Term& node, TermId id);
-    void bind(const code::Bind& bind, Value value, Frame* frame);
-    void bind_all(std::uint32_t first, std::uint32_t count, Frame* frame);
-    void run_assert(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Frame* frame, SourcePlace place);
-    void run_echo(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Frame* frame);
+    void bind(const code::Bind& bind, Value value, Activation* frame);
+    void bind_all(std::uint32_t first, std::uint32_t count, Activation* frame);
+    void run_assert(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Activation* frame, SourcePlace place);
+    void run_echo(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Activation* frame);
 
     // Lists (run_elements.cpp).
-    void push_elements(TermId id, Frame* frame);
-    void push_for(const code::Term& node, TermId id, std::uint32_t bind, Frame* frame);
-    void push_elements_in_frames(TermId id, Frame* frame);
-    void push_for_frames(const code::Term& term, TermId id, std::uint32_t level, Frame* frame, std::uint32_t size);
-    Frame* copy_frame(Frame* frame, std::uint32_t size);
-    void set_loop_variable(const code::Bind& variable, const Value& value, Frame* frame);
-    void push_for_c(const code::Loop& loop, TermId id, Frame* frame);
+    void push_elements(TermId id, Activation* frame);
+    void push_for(const code::Term& node, TermId id, std::uint32_t bind, Activation* frame);
+    void push_elements_in_frames(TermId id, Activation* frame);
+    void push_for_frames(const code::Term& term, TermId id, std::uint32_t level, Activation* frame, std::uint32_t size);
+    Activation* copy_frame(Activation* frame, std::uint32_t size);
+    void set_loop_variable(const code::Bind& variable, const Value& value, Activation* frame);
+    void push_for_c(const code::Loop& loop, TermId id, Activation* frame);
     void push_each(const Value& value, TermId id);
     template <class Body>
     void for_values(const Value& values, std::uint32_t limit, SourcePlace place, Body body);
 
     // Calls (run_call.cpp).
-    Value call_function(const code::Call& call, Frame* frame, TermId id);
-    Frame* next_frame(const code::Call& call, Frame* frame, TermId id);
+    Value call_function(const code::Call& call, Activation* frame, TermId id);
+    Activation* next_frame(const code::Call& call, Activation* frame, TermId id);
     Value run_tail_calls(const code::Function& function, NameId name);
-    Value call_value(TermId id, Frame* frame);
-    Value tail_call_value(const code::Term& term, TermId id, Frame* frame);
-    Value call_other_than_function(const code::ValueCall& call, const Value& callee, Frame* frame, SourcePlace place);
-    Frame* frame_of_value_call(std::uint32_t which, const Value& callee, Frame* frame, SourcePlace place);
+    Value call_value(TermId id, Activation* frame);
+    Value tail_call_value(const code::Term& term, TermId id, Activation* frame);
+    Value call_other_than_function(const code::ValueCall& call, const Value& callee, Activation* frame, SourcePlace place);
+    Activation* frame_of_value_call(std::uint32_t which, const Value& callee, Activation* frame, SourcePlace place);
     const code::Matched& matched_values(std::uint32_t which, std::uint32_t function, bool is_method);
     Value call_builtin(std::uint32_t builtin, std::span<Value> arguments, SourcePlace place);
-    Frame* home_frame(const code::Home& home, Frame* frame);
-    struct Frames { Frame* home; Frame* caller; Frame* into; };
+    Activation* home_frame(const code::Home& home, Activation* frame);
+    struct Frames { Activation* home; Activation* caller; Activation* into; };
     void set_parameters(NameId callee, const std::vector<code::Parameter>& parameters, const code::Matched& matched, const Frames& frames, SourcePlace place);
     void trace(StopRun& stop, std::string_view name, SourcePlace place);
 
@@ -143,20 +143,20 @@ private:
     void undo(std::size_t mark);
 
     // Instantiations (run_statement.cpp, run_control.cpp).
-    void run_binds(const code::Scope& scope, Frame* frame);
-    void make_all(const code::Scope& scope, Frame* frame);
-    void make(code::InstId id, Frame* frame);
-    void make_kind(const code::Inst& inst, Frame* frame);
-    void make_builtin(const code::Inst& inst, Frame* frame);
+    void run_binds(const code::Scope& scope, Activation* frame);
+    void make_all(const code::Scope& scope, Activation* frame);
+    void make(code::InstId id, Activation* frame);
+    void make_kind(const code::Inst& inst, Activation* frame);
+    void make_builtin(const code::Inst& inst, Activation* frame);
     void warn_of_facets(SourcePlace place);
-    void make_user(const code::Inst& inst, Frame* frame);
-    void make_loop(const code::Inst& inst, Frame* frame);
-    void make_loop_level(const code::Inst& inst, std::size_t level, Frame* frame);
-    void make_if(const code::Inst& inst, Frame* frame);
-    void make_let(const code::Inst& inst, Frame* frame);
-    void make_children(const code::Inst& inst, Frame* frame);
+    void make_user(const code::Inst& inst, Activation* frame);
+    void make_loop(const code::Inst& inst, Activation* frame);
+    void make_loop_level(const code::Inst& inst, std::size_t level, Activation* frame);
+    void make_if(const code::Inst& inst, Activation* frame);
+    void make_let(const code::Inst& inst, Activation* frame);
+    void make_children(const code::Inst& inst, Activation* frame);
     void make_child(const ModuleCall& call, double index, const code::Inst& inst);
-    void make_scope(code::ScopeId scope, Frame* frame);
+    void make_scope(code::ScopeId scope, Activation* frame);
     void add_node(const code::Inst& inst, scene::What&& what, std::size_t first_child);
     void finish(Scene& scene);
     void read_view(Scene& scene);
@@ -214,7 +214,7 @@ private:
     struct LastMatch { std::uint32_t function = 0; bool is_method = false; const code::Matched* matched = nullptr; };
     std::vector<LastMatch> last_matches_;                   // by value call
     std::map<std::pair<HintSearch, NameId>, std::string> hints_;
-    Frame* tail_ = nullptr;                                 // of the call that a body ended in
+    Activation* tail_ = nullptr;                                 // of the call that a body ended in
     std::vector<NameId> module_names_;
     std::vector<std::string> recent_;                       // last messages
     Placement placement_;
@@ -226,14 +226,14 @@ private:
 };
 
 // The frame that many levels outwards.
-inline Frame* up(Frame* frame, std::uint32_t levels) {
+inline Activation* up(Activation* frame, std::uint32_t levels) {
     for (; levels > 0; --levels) frame = frame->parent;
     return frame;
 }
 
 // The value of a term without a copy where it lies in a slot or is constant, else evaluated into `hold`. A slot keeps its value while other parts of the same
 // expression are evaluated: every let, for and parameter has a slot of its own, and every call a frame of its own.
-const Value& Machine::operand(TermId id, Frame* frame, Value& hold) {
+const Value& Machine::operand(TermId id, Activation* frame, Value& hold) {
     const code::Term& term = terms_[id];
     if (term.op == code::Op::kSlot) return frame->slots()[term.a];
     if (term.op == code::Op::kConstant) return constants_[term.a];

@@ -11,7 +11,7 @@ namespace whittle {
 using namespace code;
 
 // The frame a callee is defined in, with a reference for the caller of this. A used file's is made anew and its assignments are run.
-Frame* Machine::home_frame(const Home& home, Frame* frame) {
+Activation* Machine::home_frame(const Home& home, Activation* frame) {
     if (home.library == code::kNone) {
         for (std::uint32_t i = 0; i < home.frames_up; ++i) frame = frame->parent;
         retain(frame);
@@ -45,7 +45,7 @@ void Machine::set_parameters(NameId callee, const std::vector<Parameter>& parame
     for (auto& [which, value] : dynamics) set_dynamic(which, std::move(value));
 }
 
-Value Machine::call_function(const Call& call, Frame* frame, TermId id) {
+Value Machine::call_function(const Call& call, Activation* frame, TermId id) {
     const code::Function& f = program_.functions[call.function];
     tick();
     const Depth depth(*this, f.depth + 1, "function", call.name, program_.places[id]);
@@ -63,10 +63,10 @@ Value Machine::call_function(const Call& call, Frame* frame, TermId id) {
 }
 
 // The frame of a call of a known function, its parameters set.
-Frame* Machine::next_frame(const Call& call, Frame* frame, TermId id) {
+Activation* Machine::next_frame(const Call& call, Activation* frame, TermId id) {
     const code::Function& f = program_.functions[call.function];
     if (call.plain) {
-        Frame* home = frame;
+        Activation* home = frame;
         for (std::uint32_t i = 0; i < call.home.frames_up; ++i) home = home->parent;
         FrameRef inner(heap_.frame(f.layout.slots, home));
         Value* slots = inner.get()->slots();
@@ -91,7 +91,7 @@ Value Machine::run_tail_calls(const code::Function& f, NameId name) {
     }
 }
 
-Value Machine::call_other_than_function(const ValueCall& call, const Value& callee, Frame* frame, SourcePlace place) {
+Value Machine::call_other_than_function(const ValueCall& call, const Value& callee, Activation* frame, SourcePlace place) {
     if (call.otherwise == ValueCall::Otherwise::kBuiltin) {
         std::vector<Value> values;
         std::vector<NameId> given;
@@ -109,7 +109,7 @@ Value Machine::call_other_than_function(const ValueCall& call, const Value& call
 }
 
 // The frame of a call of what `callee` is, else of the function of that name: its parameters set, `this` too.
-Frame* Machine::frame_of_value_call(std::uint32_t which, const Value& callee, Frame* frame, SourcePlace place) {
+Activation* Machine::frame_of_value_call(std::uint32_t which, const Value& callee, Activation* frame, SourcePlace place) {
     const ValueCall& call = program_.value_calls[which];
     const std::uint32_t function = callee.is_function() ? callee.function().code : call.target;
     const code::Function& f = program_.functions[function];
@@ -126,7 +126,7 @@ Frame* Machine::frame_of_value_call(std::uint32_t which, const Value& callee, Fr
     return inner.take();
 }
 
-Value Machine::call_value(TermId id, Frame* frame) {
+Value Machine::call_value(TermId id, Activation* frame) {
     const std::uint32_t which = program_.terms[id].a;
     const ValueCall& call = program_.value_calls[which];
     const SourcePlace place = program_.places[id];
@@ -149,7 +149,7 @@ Value Machine::call_value(TermId id, Frame* frame) {
 }
 
 // A function literal that calls itself through a variable goes round like a named function.
-Value Machine::tail_call_value(const Term& term, TermId id, Frame* frame) {
+Value Machine::tail_call_value(const Term& term, TermId id, Activation* frame) {
     const Value callee = eval(program_.value_calls[term.a].callee, frame);
     if (!callee.is_function() || callee.function().code != term.b) return call_value(id, frame);
     tail_ = frame_of_value_call(term.a, callee, frame, program_.places[id]);

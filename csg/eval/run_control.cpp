@@ -8,7 +8,7 @@ namespace whittle {
 
 using namespace code;
 
-void Machine::make_loop(const Inst& inst, Frame* frame) {
+void Machine::make_loop(const Inst& inst, Activation* frame) {
     const std::size_t first = pending_.size();
     const FrameRef own(inst.frame_size == code::kNone ? nullptr : heap_.frame(program_.frame_sizes[inst.frame_size], frame));
     if (!inst.binds.empty()) make_loop_level(inst, 0, own.get() ? own.get() : frame);
@@ -16,14 +16,14 @@ void Machine::make_loop(const Inst& inst, Frame* frame) {
     else add_node(inst, scene::Group{"for"}, first);
 }
 
-void Machine::make_loop_level(const Inst& inst, std::size_t level, Frame* frame) {
+void Machine::make_loop_level(const Inst& inst, std::size_t level, Activation* frame) {
     if (level == inst.binds.size()) return make_scope(inst.children, frame);
     const Bind& variable = inst.binds[level];
     const Value values = eval(variable.value, frame);
     const auto round = [&](const Value& value) {
         tick();
         const FrameRef own(inst.frame_size == code::kNone ? nullptr : copy_frame(frame, program_.frame_sizes[inst.frame_size]));
-        Frame* inside = own.get() ? own.get() : frame;
+        Activation* inside = own.get() ? own.get() : frame;
         const std::size_t before = mark();
         set_loop_variable(variable, value, inside);
         make_loop_level(inst, level + 1, inside);
@@ -46,7 +46,7 @@ void Machine::make_loop_level(const Inst& inst, std::size_t level, Frame* frame)
     }
 }
 
-void Machine::make_if(const Inst& inst, Frame* frame) {
+void Machine::make_if(const Inst& inst, Activation* frame) {
     const bool yes = !inst.arguments.empty() && eval(inst.arguments[0].value, frame).truth();
     if (!yes && inst.otherwise == code::kNone && !inst.has_else) return;
     const std::size_t first = pending_.size();
@@ -54,12 +54,12 @@ void Machine::make_if(const Inst& inst, Frame* frame) {
     add_node(inst, scene::Group{"if"}, first);
 }
 
-void Machine::make_let(const Inst& inst, Frame* frame) {
+void Machine::make_let(const Inst& inst, Activation* frame) {
     if (inst.kind == InstKind::kAssign)
         say(Severity::kDeprecated, inst.place, "The assign() module will be removed in future releases. Use a regular assignment instead.");
     const std::size_t first = pending_.size();
     const FrameRef own(inst.frame_size == code::kNone ? nullptr : heap_.frame(program_.frame_sizes[inst.frame_size], frame));
-    Frame* inside = own.get() ? own.get() : frame;
+    Activation* inside = own.get() ? own.get() : frame;
     for (const Bind& b : inst.binds) bind(b, eval(b.value, inside), inside);
     make_scope(inst.children, inside);
     add_node(inst, scene::Group{"let"}, first);
@@ -78,10 +78,10 @@ void Machine::make_child(const ModuleCall& call, double index, const Inst& inst)
 }
 
 // children(), children(n), children([list or range]): evaluated where they were written, now.
-void Machine::make_children(const Inst& inst, Frame* frame) {
+void Machine::make_children(const Inst& inst, Activation* frame) {
     const bool old_form = names_.text(inst.name) == "child";
     if (old_form) say(Severity::kDeprecated, {}, "child() will be removed in future releases. Use children() instead.");
-    Frame* module = frame;
+    Activation* module = frame;
     while (module && !module->call) module = module->parent;
     if (!module) return;
     const ModuleCall call = *module->call;

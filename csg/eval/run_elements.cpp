@@ -6,7 +6,7 @@ namespace whittle {
 using namespace code;
 
 // Pushes what an element of a list stands for onto the stack: one value, or any number for a generator.
-void Machine::push_elements(TermId id, Frame* frame) {
+void Machine::push_elements(TermId id, Activation* frame) {
     const Term& term = program_.terms[id];
     switch (term.op) {
         case Op::kFor: {
@@ -82,7 +82,7 @@ void Machine::for_values(const Value& values, std::uint32_t limit, SourcePlace p
     }
 }
 
-void Machine::push_for(const Term& term, TermId id, std::uint32_t level, Frame* frame) {
+void Machine::push_for(const Term& term, TermId id, std::uint32_t level, Activation* frame) {
     if (term.c == 0) return push_elements(term.a, frame);
     const Bind& variable = program_.binds[term.b + level];
     const Value values = eval(variable.value, frame);
@@ -95,7 +95,7 @@ void Machine::push_for(const Term& term, TermId id, std::uint32_t level, Frame* 
 }
 
 // A loop whose body holds function literals: every round has a frame of its own, which they keep.
-void Machine::push_elements_in_frames(TermId id, Frame* frame) {
+void Machine::push_elements_in_frames(TermId id, Activation* frame) {
     const Term& outer = program_.terms[id];
     const Term& loop = program_.terms[outer.a];
     const std::size_t before = mark();
@@ -104,7 +104,7 @@ void Machine::push_elements_in_frames(TermId id, Frame* frame) {
     undo(before);
 }
 
-void Machine::push_for_frames(const Term& term, TermId id, std::uint32_t level, Frame* frame, std::uint32_t size) {
+void Machine::push_for_frames(const Term& term, TermId id, std::uint32_t level, Activation* frame, std::uint32_t size) {
     if (level == term.c) return push_elements(term.a, frame);
     const Bind& variable = program_.binds[term.b + level];
     const Value values = eval(variable.value, frame);
@@ -116,20 +116,20 @@ void Machine::push_for_frames(const Term& term, TermId id, std::uint32_t level, 
     });
 }
 
-Frame* Machine::copy_frame(Frame* frame, std::uint32_t size) {
-    Frame* copy = heap_.frame(size, frame->parent);
+Activation* Machine::copy_frame(Activation* frame, std::uint32_t size) {
+    Activation* copy = heap_.frame(size, frame->parent);
     copy->call = frame->call;
     for (std::uint32_t i = 0; i < size; ++i) copy->slots()[i] = frame->slots()[i];
     return copy;
 }
 
 // A loop variable named twice is set by the inner loop.
-void Machine::set_loop_variable(const Bind& variable, const Value& value, Frame* frame) {
+void Machine::set_loop_variable(const Bind& variable, const Value& value, Activation* frame) {
     if (variable.kind == BindKind::kSlot || variable.kind == BindKind::kDuplicate) frame->slots()[variable.target] = value;
     else if (variable.kind == BindKind::kDynamic) set_dynamic(variable.target, value);
 }
 
-void Machine::push_for_c(const Loop& loop, TermId id, Frame* frame) {
+void Machine::push_for_c(const Loop& loop, TermId id, Activation* frame) {
     for (const std::uint32_t slot : loop.unset) frame->slots()[slot] = Value::unset();
     bind_all(loop.first_init, loop.inits, frame);
     for (std::uint32_t rounds = 0; truth(loop.condition, frame); ++rounds) {

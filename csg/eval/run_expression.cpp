@@ -41,7 +41,7 @@ ast::Op general(Op op) {
 
 }  // namespace
 
-bool Machine::truth(TermId id, Frame* frame) {
+bool Machine::truth(TermId id, Activation* frame) {
     const Term& term = terms_[id];
     switch (term.op) {
         case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual: {
@@ -61,7 +61,7 @@ bool Machine::truth(TermId id, Frame* frame) {
 }
 
 // The ways that most evaluations take; the rest is in eval_slow, so that this frame stays small. What stands in tail position goes round instead of deeper.
-Value Machine::eval(TermId id, Frame* frame) {
+Value Machine::eval(TermId id, Activation* frame) {
     for (;;) {
         const Term& term = terms_[id];
         switch (term.op) {
@@ -108,7 +108,7 @@ Value Machine::eval(TermId id, Frame* frame) {
 }
 
 // OpenSCAD evaluates the right operand first, which shows in the order of messages.
-Value Machine::eval_arithmetic(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_arithmetic(const Term& term, TermId id, Activation* frame) {
     Value first, second;
     const Value& right = operand(term.b, frame, first);
     const Value& left = operand(term.a, frame, second);
@@ -121,7 +121,7 @@ Value Machine::eval_arithmetic(const Term& term, TermId id, Frame* frame) {
     }
 }
 
-Value Machine::eval_comparison(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_comparison(const Term& term, TermId id, Activation* frame) {
     Value first, second;
     const Value& right = operand(term.b, frame, first);
     const Value& left = operand(term.a, frame, second);
@@ -129,7 +129,7 @@ Value Machine::eval_comparison(const Term& term, TermId id, Frame* frame) {
     return eval_binary(general(term.op), left, right, id);
 }
 
-Value Machine::eval_index(const Term& term, Frame* frame) {
+Value Machine::eval_index(const Term& term, Activation* frame) {
     Value first, second;
     const Value& list = operand(term.a, frame, first);
     const Value& index = operand(term.b, frame, second);
@@ -146,7 +146,7 @@ Value Machine::member_of(const Value& record, std::string_view name) {
     return heap_.method(found->function(), record.record());
 }
 
-Value Machine::eval_vector(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_vector(const Term& term, TermId id, Activation* frame) {
     Value made = heap_.blank_vector(term.b);
     Value* elements = elements_of_new(made);
     for (std::uint32_t i = 0; i < term.b; ++i) elements[i] = eval(program_.lists[term.a + i], frame);
@@ -156,13 +156,13 @@ Value Machine::eval_vector(const Term& term, TermId id, Frame* frame) {
 }
 
 template <std::size_t Count>
-Value Machine::eval_builtin_of(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_builtin_of(const Term& term, TermId id, Activation* frame) {
     Value arguments[Count];
     for (std::size_t i = 0; i < Count; ++i) arguments[i] = eval(program_.lists[term.b + i], frame);
     return call_builtin(term.a, arguments, program_.places[id]);
 }
 
-Value Machine::eval_builtin(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_builtin(const Term& term, TermId id, Activation* frame) {
     try {
         switch (term.c) {
             case 1: return eval_builtin_of<1>(term, id, frame);
@@ -180,7 +180,7 @@ Value Machine::eval_builtin(const Term& term, TermId id, Frame* frame) {
     }
 }
 
-Value Machine::eval_slow(const Term& term, TermId id, Frame* frame) {
+Value Machine::eval_slow(const Term& term, TermId id, Activation* frame) {
     switch (term.op) {
         case Op::kDynamic: return eval_dynamic(term, id);
         case Op::kUnknown:
@@ -248,7 +248,7 @@ Value Machine::eval_dynamic(const Term& node, TermId id) {
     return {};
 }
 
-Value Machine::eval_range(const Term& node, TermId id, Frame* frame) {
+Value Machine::eval_range(const Term& node, TermId id, Activation* frame) {
     const Value begin = eval(node.a, frame);
     const Value end = eval(node.c, frame);
     if (!begin.is_number() || !end.is_number()) {
@@ -273,7 +273,7 @@ Value Machine::eval_range(const Term& node, TermId id, Frame* frame) {
     return heap_.range(begin.number(), step.number(), end.number());
 }
 
-Value Machine::eval_member(const Term& term, Frame* frame) {
+Value Machine::eval_member(const Term& term, Activation* frame) {
     Value hold;
     const Value& whole = operand(term.a, frame, hold);
     const std::string& name = names_.text(term.b);
@@ -301,7 +301,7 @@ Value Machine::swizzle(const Value& vector, const std::string& name) {
     return name.size() == 1 ? parts[0] : heap_.vector(parts, name.size());
 }
 
-void Machine::bind(const Bind& bind, Value value, Frame* frame) {
+void Machine::bind(const Bind& bind, Value value, Activation* frame) {
     switch (bind.kind) {
         case BindKind::kSlot: frame->slots()[bind.target] = std::move(value); return;
         case BindKind::kDynamic: set_dynamic(bind.target, std::move(value)); return;
@@ -312,11 +312,11 @@ void Machine::bind(const Bind& bind, Value value, Frame* frame) {
     }
 }
 
-void Machine::bind_all(std::uint32_t first, std::uint32_t count, Frame* frame) {
+void Machine::bind_all(std::uint32_t first, std::uint32_t count, Activation* frame) {
     for (std::uint32_t i = first; i < first + count; ++i) bind(program_.binds[i], eval(program_.binds[i].value, frame), frame);
 }
 
-void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, std::size_t count, Frame* frame, SourcePlace place) {
+void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, std::size_t count, Activation* frame, SourcePlace place) {
     const Argument* condition = nullptr;
     const Argument* message = nullptr;
     std::size_t position = 0;
@@ -342,7 +342,7 @@ void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, s
     fail(place, std::move(text));
 }
 
-void Machine::run_echo(const std::vector<Argument>& list, std::size_t first, std::size_t count, Frame* frame) {
+void Machine::run_echo(const std::vector<Argument>& list, std::size_t first, std::size_t count, Activation* frame) {
     std::string text;
     Value hold;
     for (std::size_t i = first; i < first + count; ++i) {

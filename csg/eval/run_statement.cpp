@@ -8,16 +8,16 @@ namespace whittle {
 
 using namespace code;
 
-void Machine::run_binds(const code::Scope& scope, Frame* frame) {
+void Machine::run_binds(const code::Scope& scope, Activation* frame) {
     for (const Bind& b : scope.binds) bind(b, eval(b.value, frame), frame);
 }
 
-void Machine::make_all(const code::Scope& scope, Frame* frame) {
+void Machine::make_all(const code::Scope& scope, Activation* frame) {
     for (const InstId id : scope.insts) make(id, frame);
 }
 
 // A block under a module or a control word: its assignments, then its instantiations.
-void Machine::make_scope(ScopeId id, Frame* frame) {
+void Machine::make_scope(ScopeId id, Activation* frame) {
     if (id == code::kNone) return;
     const code::Scope& scope = program_.scopes[id];
     if (scope.frame_size == code::kNone) {
@@ -30,7 +30,7 @@ void Machine::make_scope(ScopeId id, Frame* frame) {
 }
 
 // Makes what an instantiation stands for: appends its nodes, usually one, to pending_.
-void Machine::make(InstId id, Frame* frame) {
+void Machine::make(InstId id, Activation* frame) {
     const Inst& inst = program_.insts[id];
     tick();
     const Depth depth(*this, 4, "module", inst.name, inst.place);
@@ -54,7 +54,7 @@ void Machine::make(InstId id, Frame* frame) {
         roots_.push_back({pending_[first_node], inst.place, first_light, scene_->lights.size()});
 }
 
-void Machine::make_kind(const Inst& inst, Frame* frame) {
+void Machine::make_kind(const Inst& inst, Activation* frame) {
     switch (inst.kind) {
         case InstKind::kBuiltin: return make_builtin(inst, frame);
         case InstKind::kUser: return make_user(inst, frame);
@@ -104,7 +104,7 @@ void Machine::warn_of_facets(SourcePlace place) {
     if (f.fa < kLeastFacet) warn(place, "$fa too small - clamping to 0.010000");
 }
 
-void Machine::make_builtin(const Inst& inst, Frame* frame) {
+void Machine::make_builtin(const Inst& inst, Activation* frame) {
     const BuiltinModule& builtin = builtin_modules()[inst.target];
     const bool has_children = inst.children != code::kNone;
     const code::Scope* children = has_children ? &program_.scopes[inst.children] : nullptr;
@@ -122,7 +122,7 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
     if (inst.clamps_facets) warn_of_facets(inst.place);
     const std::size_t first = pending_.size();
     FrameRef block(nullptr);
-    Frame* inside = frame;
+    Activation* inside = frame;
     if (children && builtin.takes_children) {
         if (children->frame_size != code::kNone) {
             block.reset(heap_.frame(program_.frame_sizes[children->frame_size], frame));
@@ -145,13 +145,13 @@ void Machine::make_builtin(const Inst& inst, Frame* frame) {
     add_node(inst, std::move(*what), first);
 }
 
-void Machine::make_user(const Inst& inst, Frame* frame) {
+void Machine::make_user(const Inst& inst, Activation* frame) {
     const code::Module& module = program_.modules[inst.target];
     const Depth depth(*this, 8, "module", inst.name, inst.place);
     const std::size_t first = pending_.size();
     // The assignments of the block of children are made first, once.
     FrameRef block(nullptr);
-    Frame* outside = frame;
+    Activation* outside = frame;
     std::size_t written = 0;
     if (inst.children != code::kNone) {
         const code::Scope& children = program_.scopes[inst.children];

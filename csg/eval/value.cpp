@@ -186,7 +186,7 @@ const Value* RecordObject::find(std::string_view name) const {
     return at != end && names()[*at].string() == name ? values() + *at : nullptr;
 }
 
-Value Heap::function(std::uint32_t code, Frame* frame) {
+Value Heap::function(std::uint32_t code, Activation* frame) {
     FunctionObject* f = make<FunctionObject>(*this, Type::kFunction);
     f->code = code;
     f->frame = frame;
@@ -233,11 +233,11 @@ public:
                 open(*object);
                 free_object(object);
             } else {
-                Frame* frame = frames_.back();
+                Activation* frame = frames_.back();
                 frames_.pop_back();
                 for (std::uint32_t i = 0; i < frame->size; ++i) drop(frame->slots()[i]);
                 drop(frame->parent);
-                frame->heap->free(frame, sizeof(Frame) + frame->size * sizeof(Value));
+                frame->heap->free(frame, sizeof(Activation) + frame->size * sizeof(Value));
             }
         }
     }
@@ -260,11 +260,11 @@ private:
     void drop(const Value& value) {
         if (value.is_object() && --value.object()->refs == 0) objects_.push_back(value.object());
     }
-    void drop(Frame* frame) {
+    void drop(Activation* frame) {
         if (frame && --frame->refs == 0) frames_.push_back(frame);
     }
     std::vector<Object*> objects_;
-    std::vector<Frame*> frames_;
+    std::vector<Activation*> frames_;
 };
 
 // Has it parts that could die with it?
@@ -283,28 +283,28 @@ void release_object(Object* object) {
     Releaser().run(object);
 }
 
-void release_frame(Frame* frame) {
+void release_frame(Activation* frame) {
     while (frame) {
         for (std::uint32_t i = 0; i < frame->size; ++i) {
             const Value& value = frame->slots()[i];
             if (value.is_object() && --value.object()->refs == 0) release_object(value.object());
         }
-        Frame* parent = frame->parent;
-        frame->heap->free(frame, sizeof(Frame) + frame->size * sizeof(Value));
+        Activation* parent = frame->parent;
+        frame->heap->free(frame, sizeof(Activation) + frame->size * sizeof(Value));
         frame = parent && --parent->refs == 0 ? parent : nullptr;
     }
 }
 
 void Heap::break_cycles() {
-    std::vector<Frame*> frames;
+    std::vector<Activation*> frames;
     for (FunctionObject* f = functions_; f; f = f->next)
-        for (Frame* frame = f->frame; frame; frame = frame->parent) {
+        for (Activation* frame = f->frame; frame; frame = frame->parent) {
             frames.push_back(frame);
             retain(frame);
         }
-    for (Frame* frame : frames)
+    for (Activation* frame : frames)
         for (std::uint32_t i = 0; i < frame->size; ++i) frame->slots()[i] = Value::unset();
-    for (Frame* frame : frames) release(frame);
+    for (Activation* frame : frames) release(frame);
 }
 
 std::uint32_t range_count(const RangeObject& range) {

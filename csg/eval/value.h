@@ -17,7 +17,7 @@
 namespace whittle {
 
 class Heap;
-struct Frame;
+struct Activation;
 class Value;
 
 enum class Type : std::uint8_t { kUnset, kUndef, kBool, kNumber, kString, kVector, kRecord, kRange, kFunction };
@@ -76,7 +76,7 @@ struct RangeObject : Object {
 // A function literal with the frame it was made in, and the record it was read from where it is a method.
 struct FunctionObject : Object {
     std::uint32_t code = 0;  // index of the function in the program's code
-    Frame* frame = nullptr;
+    Activation* frame = nullptr;
     RecordObject* self = nullptr;
     FunctionObject* previous = nullptr;  // list of the living, for Heap::break_cycles
     FunctionObject* next = nullptr;
@@ -202,10 +202,10 @@ public:
     Value blank_vector(std::size_t count);
     // Named values, moved from. Requires: the names are strings, no two equal, as many as the values.
     Value record(std::vector<Value> names, std::vector<Value> values);
-    Value function(std::uint32_t code, Frame* frame);
+    Value function(std::uint32_t code, Activation* frame);
     // `function` as a method of `self`.
     Value method(const FunctionObject& function, const RecordObject& self);
-    inline Frame* frame(std::uint32_t slots, Frame* parent);
+    inline Activation* frame(std::uint32_t slots, Activation* parent);
 
     std::uint64_t bytes() const { return bytes_; }
     // Large blocks beyond it are refused with std::bad_alloc; 0: none.
@@ -254,20 +254,20 @@ private:
 struct ModuleCall;
 
 // One activation of a file, module, function or capturing scope: its variables. Counted, since function values keep frames alive.
-struct Frame {
+struct Activation {
     std::uint32_t refs = 1;
     std::uint32_t size = 0;
-    Frame* parent = nullptr;
+    Activation* parent = nullptr;
     Heap* heap = nullptr;
     ModuleCall* call = nullptr;  // of a module's frame
     Value* slots() { return reinterpret_cast<Value*>(this + 1); }
 };
 
-inline void retain(Frame* frame) {
+inline void retain(Activation* frame) {
     if (frame) ++frame->refs;
 }
-Frame* Heap::frame(std::uint32_t slots, Frame* parent) {
-    Frame* f = new (allocate(sizeof(Frame) + slots * sizeof(Value))) Frame;
+Activation* Heap::frame(std::uint32_t slots, Activation* parent) {
+    Activation* f = new (allocate(sizeof(Activation) + slots * sizeof(Value))) Activation;
     f->size = slots;
     f->parent = parent;
     f->heap = this;
@@ -276,28 +276,28 @@ Frame* Heap::frame(std::uint32_t slots, Frame* parent) {
     return f;
 }
 
-void release_frame(Frame* frame);
-inline void release(Frame* frame) {
+void release_frame(Activation* frame);
+inline void release(Activation* frame) {
     if (frame && --frame->refs == 0) release_frame(frame);
 }
 
 // Holds one reference to a frame.
 class FrameRef {
 public:
-    explicit FrameRef(Frame* frame) : frame_(frame) {}
+    explicit FrameRef(Activation* frame) : frame_(frame) {}
     FrameRef(const FrameRef&) = delete;
     FrameRef& operator=(const FrameRef&) = delete;
     ~FrameRef() { release(frame_); }
-    Frame* get() const { return frame_; }
+    Activation* get() const { return frame_; }
     // Gives the reference away.
-    Frame* take() { return std::exchange(frame_, nullptr); }
-    void reset(Frame* frame) {
+    Activation* take() { return std::exchange(frame_, nullptr); }
+    void reset(Activation* frame) {
         release(frame_);
         frame_ = frame;
     }
 
 private:
-    Frame* frame_;
+    Activation* frame_;
 };
 
 // Number of elements of a range: 0 in the wrong direction or for nan, 2^32-1 when endless.

@@ -6,7 +6,7 @@
 
 namespace whittle {
 
-std::uint32_t PlanarMesh::add_support(const Support& support) {
+std::uint32_t PlanarMesh::add_support(const LineSupport& support) {
     supports_.push_back(support);
     return static_cast<std::uint32_t>(supports_.size() - 1);
 }
@@ -71,9 +71,9 @@ void PlanarMesh::mark(VertexId a, VertexId b, std::uint32_t support) {
 }
 
 std::optional<PointId> PlanarMesh::crossing(std::uint32_t support, std::uint32_t other) {
-    const Support &p = supports_[support], &q = supports_[other];
+    const LineSupport &p = supports_[support], &q = supports_[other];
     if (p.is_edge || q.is_edge) {
-        const Support &edge = p.is_edge ? p : q, &plane = p.is_edge ? q : p;
+        const LineSupport &edge = p.is_edge ? p : q, &plane = p.is_edge ? q : p;
         const ExactPoint x = crossing_of(edge.a, edge.b, plane.plane);
         if (x.w.sign() == 0) return std::nullopt;
         return points_.add(x);

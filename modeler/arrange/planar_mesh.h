@@ -16,7 +16,7 @@
 namespace whittle {
 
 // What fixes the line of a constraint in its plane: another plane through it, and, where the constraint is part of an edge between grid points, these.
-struct Support {
+struct LineSupport {
     ExactPlane plane;
     bool is_edge = false;
     GridPoint a{}, b{};
@@ -38,7 +38,7 @@ public:
     PlanarMesh(PointTable& points, const ExactPlane& plane, int axis, const GridPoint& frame_lo, const GridPoint& frame_hi);
 
     void insert(std::span<const PointId> points);
-    std::uint32_t add_support(const Support& support);
+    std::uint32_t add_support(const LineSupport& support);
     // Both ends have been inserted.
     void constrain(PointId from, PointId to, std::uint32_t support);
     // A constraint could not be kept: the input was not what it has to be. What follows means nothing.
@@ -103,7 +103,7 @@ private:
     std::vector<PointId> ids_;            // of vertices
     std::vector<std::uint32_t> at_;       // a cell of each vertex
     std::unordered_map<PointId, VertexId> local_;
-    std::vector<Support> supports_;
+    std::vector<LineSupport> supports_;
     std::uint32_t last_ = 0;
     bool failed_ = false;
 };

@@ -49,7 +49,7 @@ public:
 private:
     // Visits the intervals between neighbouring ends of either set.
     void walk() {
-        const std::vector<Crossing>& crossings = scratch_.crossings;
+        const std::vector<MeshCrossing>& crossings = scratch_.crossings;
         std::size_t e = 0, m = 0;
         int winding = 0;
         double t = 0;
@@ -97,14 +97,14 @@ private:
         if (worst.ratio > 1) report(d);
     }
 
-    bool is_beside_end(const Crossing& crossing) const {
+    bool is_beside_end(const MeshCrossing& crossing) const {
         const double reach = c_.flat_bound + crossing.t_error;
         const auto after = std::lower_bound(ends_.begin(), ends_.end(), crossing.t - reach);
         return after != ends_.end() && *after <= crossing.t + reach;
     }
 
     // The mesh has a facet here, and neither a piece nor an exact end goes with it.
-    void judge_crossing(const Crossing& crossing) {
+    void judge_crossing(const MeshCrossing& crossing) {
         const Vec3 p = point_at(ray_, crossing.t);
         const LeafDistances::Nearest n = c_.leaves.nearest(p, c_.curved_bound, c_.flat_bound, kReach);
         if (n.ratio <= 1 && membership_changes_near(p, crossing.triangle)) return;

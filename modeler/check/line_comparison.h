@@ -24,7 +24,7 @@ struct Comparison {
 struct ComparisonScratch {
     Scratch engine;
     Spans spans, probe;
-    std::vector<Crossing> crossings;
+    std::vector<MeshCrossing> crossings;
 };
 
 // Sums over lines; disagreements are kept worst first, of equal ones the earlier.

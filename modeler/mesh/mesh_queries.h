@@ -20,7 +20,7 @@ struct MassProperties {
 MassProperties mass_properties(const Mesh& mesh);
 
 // A place where a ray goes through the mesh. `entering`: from outside to inside, by the triangle's orientation.
-struct Crossing {
+struct MeshCrossing {
     double t = 0;
     double t_error = 0;
     std::uint32_t triangle = 0;
@@ -36,7 +36,7 @@ public:
     MeshRays(MeshRays&&) noexcept;
     MeshRays& operator=(MeshRays&&) noexcept;
     // All crossings with t >= 0, by t. Time and wavelength of the ray do not matter.
-    void crossings(const Ray& ray, std::vector<Crossing>& out) const;
+    void crossings(const Ray& ray, std::vector<MeshCrossing>& out) const;
 
 private:
     struct Impl;

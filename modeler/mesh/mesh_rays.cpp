@@ -96,7 +96,7 @@ struct MeshRays::Impl {
     void split(std::uint32_t node, std::vector<Vec3>& centres);
     void fit(TreeNode& node) const;
     bool meets(const Ray& ray, const Vec3& inverse, const TreeNode& node) const;
-    void try_triangle(const Ray& ray, std::uint32_t i, std::vector<Crossing>& out) const;
+    void try_triangle(const Ray& ray, std::uint32_t i, std::vector<MeshCrossing>& out) const;
 };
 
 namespace {
@@ -203,7 +203,7 @@ bool MeshRays::Impl::meets(const Ray& ray, const Vec3& inverse, const TreeNode& 
     return in <= out;
 }
 
-void MeshRays::Impl::try_triangle(const Ray& ray, std::uint32_t i, std::vector<Crossing>& out) const {
+void MeshRays::Impl::try_triangle(const Ray& ray, std::uint32_t i, std::vector<MeshCrossing>& out) const {
     const auto& p = corners[i];
     const Triangle& v = indices[i];
     int common = 0;
@@ -213,7 +213,7 @@ void MeshRays::Impl::try_triangle(const Ray& ray, std::uint32_t i, std::vector<C
         if (s == 0 || (k > 0 && s != common)) return;  // parallel to an edge: seen from the side, never crossed
         common = s;
     }
-    Crossing c;
+    MeshCrossing c;
     c.triangle = order[i];
     c.entering = common < 0;
     const Vec3 ab = p[1] - p[0], ac = p[2] - p[0];
@@ -238,7 +238,7 @@ MeshRays::~MeshRays() = default;
 MeshRays::MeshRays(MeshRays&&) noexcept = default;
 MeshRays& MeshRays::operator=(MeshRays&&) noexcept = default;
 
-void MeshRays::crossings(const Ray& ray, std::vector<Crossing>& out) const {
+void MeshRays::crossings(const Ray& ray, std::vector<MeshCrossing>& out) const {
     out.clear();
     if (impl_->nodes.empty()) return;
     const Vec3 inverse = 1.0 / ray.direction;
@@ -272,14 +272,14 @@ void MeshRays::crossings(const Ray& ray, std::vector<Crossing>& out) const {
     std::vector<std::uint32_t> rank(out.size());
     std::iota(rank.begin(), rank.end(), 0U);
     std::sort(rank.begin(), rank.end(), [&](std::uint32_t i, std::uint32_t j) {
-        const Crossing &a = out[i], &b = out[j];
+        const MeshCrossing &a = out[i], &b = out[j];
         if (std::fabs(a.t - b.t) > a.t_error + b.t_error) return a.t < b.t;
         const ExactPlace x(ray, impl_->corners[places[i]]), y(ray, impl_->corners[places[j]]);
         if (x < y) return true;
         if (y < x) return false;
         return a.triangle < b.triangle;
     });
-    std::vector<Crossing> sorted;
+    std::vector<MeshCrossing> sorted;
     sorted.reserve(out.size());
     for (const std::uint32_t i : rank) sorted.push_back(out[i]);
     out.swap(sorted);

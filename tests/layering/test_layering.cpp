@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "includes.h"
+#include "type_names.h"
 
 namespace fs = std::filesystem;
 
@@ -58,6 +60,27 @@ TEST_CASE("no include line of the project breaks a rule of the floors") {
                 INFO(include.file << ":" << include.line << " includes " << include.header);
                 CHECK(rule == "");
             }
+}
+
+TEST_CASE("no two files of the project define a type of one name") {
+    std::map<std::string, std::set<std::string>> files_of;
+    for (const auto& file : sources())
+        for (const std::string& type : types_defined_in(read(kRoot / file))) files_of[type].insert(file.generic_string());
+    REQUIRE(files_of.size() > 200);
+    const auto is_test = [](const std::string& file) { return file.rfind("tests/", 0) == 0; };  // a program each: these may share names among themselves
+    for (const auto& [type, files] : files_of) {
+        std::string all;
+        for (const auto& file : files) all += ' ' + file;
+        INFO(type << " stands in" << all);
+        CHECK((files.size() == 1 || std::all_of(files.begin(), files.end(), is_test)));
+    }
+}
+
+TEST_CASE("the reader of types knows namespaces and leaves out what is declared or hidden") {
+    const auto found = types_defined_in(
+        "struct A;\nstruct B {\n};\nnamespace n {\nclass alignas(64) C final : public D {\n    struct Inner {};\n};\nnamespace {\nstruct E {};\n}  // namespace\n"
+        "enum class F : int { kX };\nstruct F::Impl {};\n}  // namespace n\nunion G {};\n");
+    CHECK(found == std::vector<std::string>{"B", "n::C", "n::F", "n::F::Impl", "G"});
 }
 
 TEST_CASE("the reader of include lines sees what a compiler sees") {

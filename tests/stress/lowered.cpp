@@ -181,7 +181,7 @@ private:
         return {std::move(facets), along, across};
     }
 
-    Faceted triangles(const MeshPart& part) {
+    Faceted triangles(const MeshData& part) {
         std::vector<Facet> facets;
         for (std::size_t i = 0; i < part.facets.size(); ++i) {
             if (part.facets[i] == kNoSupport) continue;

@@ -26,7 +26,7 @@ bool has_scaled_extrusion(const Solid& solid) {
 bool has_stand_ins(const Solid& solid) {
     const Result<Formula> formula = lower(solid);
     return formula && (std::any_of(formula->nodes.begin(), formula->nodes.end(), [](const FormulaNode& n) { return !n.exact; }) ||
-                       std::any_of(formula->meshes.begin(), formula->meshes.end(), [](const MeshPart& m) { return !m.exact; }));
+                       std::any_of(formula->meshes.begin(), formula->meshes.end(), [](const MeshData& m) { return !m.exact; }));
 }
 
 std::string lowering_fault(const Solid& solid, const Ray& ray, double size) {

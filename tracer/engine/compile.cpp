@@ -65,7 +65,7 @@ public:
         rank_matters(program_);
         program_.motions = formula_.motions;
         for (const PrismData& p : formula_.prisms) add_prism(p);
-        for (const MeshPart& m : formula_.meshes) add_mesh(m);
+        for (const MeshData& m : formula_.meshes) add_mesh(m);
         const FormulaNode& root = formula_.nodes[formula_.root];
         program_.empty = root.kind == FormulaKind::kNothing;
         program_.everything = root.kind == FormulaKind::kEverything;
@@ -245,7 +245,7 @@ private:
         program_.prisms.push_back(std::move(leaf));
     }
 
-    void add_mesh(const MeshPart& m) {
+    void add_mesh(const MeshData& m) {
         auto& hierarchy = hierarchies_[m.mesh.get()];
         if (!hierarchy) {
             std::vector<Bounds> boxes;
@@ -258,7 +258,7 @@ private:
             if (m.mesh->triangles.empty()) built->order.clear(), built->nodes[0].count = 0;
             hierarchy = std::move(built);
         }
-        MeshLeaf leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets)};
+        ParityMesh leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets)};
         for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
         program_.meshes.push_back(std::move(leaf));
     }

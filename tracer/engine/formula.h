@@ -68,7 +68,7 @@ struct TriangleList {
 };
 
 // A closed mesh: inside by parity of the crossings of its triangles.
-struct MeshPart {
+struct MeshData {
     FrameId frame = 0;
     std::shared_ptr<const TriangleList> mesh;
     std::vector<SupportId> facets;  // one a triangle; kNoSupport where it has no area
@@ -93,7 +93,7 @@ struct Formula {
     SupportTable table;
     std::vector<FormulaNode> nodes;
     std::vector<PrismData> prisms;
-    std::vector<MeshPart> meshes;
+    std::vector<MeshData> meshes;
     std::vector<LeafUse> uses;
     std::vector<MotionGroup> motions{1};  // Frame::motion indexes this
     FormulaId root = 0;

@@ -195,7 +195,7 @@ void keep_own_planes(const Formula& formula, Classes& classes) {
         }
     };
     for (const PrismData& prism : formula.prisms) keep(prism.edges);
-    for (const MeshPart& mesh : formula.meshes) keep(mesh.facets);
+    for (const MeshData& mesh : formula.meshes) keep(mesh.facets);
 }
 
 }  // namespace

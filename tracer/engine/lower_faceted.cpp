@@ -182,7 +182,7 @@ FormulaId FormulaBuilder::faceted(NodeId id, const Site& site) {
         list = std::move(triangles);
     }
     if (list->triangles.empty()) return constant(site.negated);
-    MeshPart part{p.frame(), list, {}, has_flat_faces(id)};
+    MeshData part{p.frame(), list, {}, has_flat_faces(id)};
     for (const auto& t : list->triangles) part.facets.push_back(p.facet(list->points[t[0]], list->points[t[1]], list->points[t[2]]));
     FormulaNode n = leaf(FormulaKind::kMesh, p.root_box(), site);
     n.data = static_cast<std::uint32_t>(out_.meshes.size());

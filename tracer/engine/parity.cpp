@@ -107,7 +107,7 @@ bool prism_events(const PrismLeaf& p, RayContext& context, std::vector<Event>& o
 
 namespace {
 
-void test_triangle(const MeshLeaf& m, std::uint32_t index, RayContext& context, std::vector<Event>& out) {
+void test_triangle(const ParityMesh& m, std::uint32_t index, RayContext& context, std::vector<Event>& out) {
     const auto& t = m.mesh->triangles[index];
     int wanted = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ void test_triangle(const MeshLeaf& m, std::uint32_t index, RayContext& context, 
 
 }  // namespace
 
-bool mesh_events(const MeshLeaf& m, RayContext& context, std::vector<Event>& out) {
+bool mesh_events(const ParityMesh& m, RayContext& context, std::vector<Event>& out) {
     const std::size_t first = out.size();
     const FrameRay& local = context.frame_ray(m.frame);
     // The local ray is rounded: boxes grow by what the rounding can move it within the mesh.

@@ -68,7 +68,7 @@ struct PrismLeaf {
     std::vector<ClassId> own;         // a class of the edge's own plane (identity.h); empty where all are those of `edges`
 };
 
-struct MeshLeaf {
+struct ParityMesh {
     FrameId frame = 0;
     std::shared_ptr<const TriangleList> mesh;
     std::shared_ptr<const Hierarchy> hierarchy;
@@ -124,7 +124,7 @@ public:
     std::vector<FacetTree> facet_trees;
     std::vector<FacetChunk> facet_chunks;
     std::vector<PrismLeaf> prisms;
-    std::vector<MeshLeaf> meshes;
+    std::vector<ParityMesh> meshes;
     std::vector<LeafUse> uses;
     std::vector<std::uint32_t> matter_order;  // by use: of two that hold a place the one of lower order fills it (priority, then the author's order)
     bool matter_by_author = true;             // no use comes before an earlier one

@@ -48,7 +48,7 @@ Vec3 Bsdf::value(Vec3 direction, double cos_light) const {
 
 Vec3 Bsdf::micro_normal(Vec2 u) const {
     if (surface_.sharp()) return normal_;
-    const Frame frame(normal_);
+    const ShadingFrame frame(normal_);
     return frame.to_world(ggx_visible_normal(frame.to_local(view_), surface_.alpha, u));
 }
 
@@ -62,7 +62,7 @@ double Bsdf::density(Vec3 direction, double cos_light) const {
 
 Bsdf::Drawn Bsdf::draw(Vec2 u, double choice) const {
     Drawn d;
-    d.direction = gloss_ && choice < gloss_share_ ? mirrored(-view_, micro_normal(u)) : Frame(normal_).to_world(on_cosine_hemisphere(u));
+    d.direction = gloss_ && choice < gloss_share_ ? mirrored(-view_, micro_normal(u)) : ShadingFrame(normal_).to_world(on_cosine_hemisphere(u));
     const double cos_light = glm::dot(d.direction, normal_);
     if (!(cos_light > 0)) return d;
     d.density = density(d.direction, cos_light);

@@ -98,7 +98,7 @@ Emitted Emission::towards(const Choice& choice, Vec3 origin, Vec3 intensity, Vec
     const Aim& aim = aims_[choice.aim];
     const Vec3 to = aim.centre - origin;
     const double d2 = length2(to), cap = d2 > 0 ? cap_towards(aim.radius, d2) : 2;
-    const Vec3 direction = Frame(d2 > 0 ? to / std::sqrt(d2) : Vec3(0, 0, 1)).to_world(on_cap(u, cap));
+    const Vec3 direction = ShadingFrame(d2 > 0 ? to / std::sqrt(d2) : Vec3(0, 0, 1)).to_world(on_cap(u, cap));
     return {origin, direction, intensity / std::max(density_of_direction(choice.lamp, origin, direction), choice.chance / (2 * kPi * cap))};
 }
 
@@ -122,13 +122,13 @@ Emitted Emission::from_afar(const Choice& choice, Vec2 place, Vec2 u) const {
         towards = drawn.direction;
         irradiance = lamp.map->radiance(towards) / drawn.density;
     } else if (lamp.one_minus_cos > 0) {
-        towards = Frame(lamp.p).to_world(on_cap(u, lamp.one_minus_cos));
+        towards = ShadingFrame(lamp.p).to_world(on_cap(u, lamp.one_minus_cos));
         // Irradiance is that of a surface facing the disc's middle: the mean cosine over the cap is 1 - h/2.
         irradiance /= 1 - lamp.one_minus_cos / 2;
     }
     const Aim& aim = aims_[choice.aim];
     const Vec2 disc = on_disc(place);
-    const Frame frame(towards);
+    const ShadingFrame frame(towards);
     const Vec3 through = aim.centre + aim.radius * (disc.x * frame.x + disc.y * frame.y);
     const double density = std::max(density_of_line(choice.lamp, through, towards), choice.chance / (kPi * aim.radius * aim.radius));
     // From beyond everything: the plane behind which nothing is.

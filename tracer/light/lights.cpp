@@ -63,7 +63,7 @@ LightSample towards(Vec3 offset, Vec3 intensity) {
 
 LightSample from_cap(Vec3 axis, double one_minus_cos, Vec3 radiance, Vec2 u) {
     LightSample s;
-    s.direction = Frame(axis).to_world(on_cap(u, one_minus_cos));
+    s.direction = ShadingFrame(axis).to_world(on_cap(u, one_minus_cos));
     s.density = 1 / (2 * kPi * one_minus_cos);
     s.radiance = radiance / s.density;
     return s;

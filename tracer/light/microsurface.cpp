@@ -54,7 +54,7 @@ Stream::Stream(Vec2 seed) : key_(sobol::hash(static_cast<std::uint32_t>(seed.x *
 double Stream::next() { return sobol::unit(sobol::hash(key_, ++count_)); }
 
 MicroWalk walk_microsurface(Vec3 direction, Vec3 normal, const std::array<double, 4>& etas, double alpha, Vec2 u, Stream stream) {
-    const Frame frame(normal);
+    const ShadingFrame frame(normal);
     Vec3 ray = frame.to_local(direction);
     MicroWalk walk;
     bool behind = false;

@@ -69,9 +69,9 @@ inline double ggx_visibility(double nl, double nv, double alpha) {
 }
 
 // Right-handed frame around n. Source: Duff et al., Building an Orthonormal Basis, Revisited (2017).
-struct Frame {
+struct ShadingFrame {
     Vec3 x, y, z;
-    explicit Frame(Vec3 n) : z(n) {
+    explicit ShadingFrame(Vec3 n) : z(n) {
         const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
         x = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
         y = {b, sign + n.y * n.y * a, -n.y};
@@ -104,7 +104,7 @@ inline Vec3 on_cap(Vec2 u, double one_minus_cos) {
 // The microfacet normal seen from `v` (local frame, v.z > 0) at a place of the disc that the visible ones make, evenly by area.
 inline Vec3 ggx_normal_on_disc(Vec3 v, double alpha, Vec2 p) {
     const Vec3 stretched = glm::normalize(Vec3(alpha * v.x, alpha * v.y, v.z));
-    const Frame frame(stretched);
+    const ShadingFrame frame(stretched);
     // The half of the disc that the lower hemisphere would fill is squeezed to the rim.
     const double s = 0.5 * (1 + stretched.z);
     const Vec3 side = std::abs(stretched.z) < 0.9999999 ? glm::normalize(glm::cross(Vec3(0, 0, 1), stretched)) : frame.x;

@@ -167,7 +167,7 @@ Vec3 Tracer::sky(const Surface& s, const Border& border, const Bsdf& bsdf, const
         drawn = bsdf.draw(u, sampler_->pair(Draw::kChoice, vertex).x);
         if (!(drawn.density > 0)) return Vec3(0);
     } else {
-        drawn.direction = Frame(border.normal).to_world(on_cosine_hemisphere(u));
+        drawn.direction = ShadingFrame(border.normal).to_world(on_cosine_hemisphere(u));
         drawn.share = bsdf.dull_value(glm::dot(drawn.direction, border.normal)) * kPi;
     }
     if (drawn.share == Vec3(0)) return Vec3(0);

@@ -14,13 +14,13 @@ Mesh box_mesh(const Vec3& lo, const Vec3& hi) {
     return meshed(b, b.shape(shape::Box{lo, hi})).mesh;
 }
 
-std::vector<Crossing> crossings(const Mesh& mesh, const Ray& ray) {
-    std::vector<Crossing> out;
+std::vector<MeshCrossing> crossings(const Mesh& mesh, const Ray& ray) {
+    std::vector<MeshCrossing> out;
     MeshRays(mesh).crossings(ray, out);
     return out;
 }
 
-bool alternates(const std::vector<Crossing>& c) {
+bool alternates(const std::vector<MeshCrossing>& c) {
     for (std::size_t i = 0; i < c.size(); ++i)
         if (c[i].entering != (i % 2 == 0)) return false;
     return c.size() % 2 == 0;
@@ -71,14 +71,14 @@ TEST_CASE("crossings of a closed mesh alternate, and their lengths add up to the
     const NodeId ring = b.shape(shape::Torus{10, 4}), box = b.shape(shape::Box{Vec3(-5), Vec3(5)});
     const MeshResult made = meshed(b, b.combine(SetOp::kUnion, {at(ring), at(box)}));
     const MeshRays rays(made.mesh);
-    std::vector<Crossing> c;
+    std::vector<MeshCrossing> c;
     const int n = 200;
     double sum = 0;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
             rays.crossings(Ray{{-15 + 30.0 * (i + 0.5) / n, -15 + 30.0 * (j + 0.5) / n, -50}, {0, 0, 1}}, c);
             REQUIRE(alternates(c));
-            for (const Crossing& k : c) sum += k.entering ? -k.t : k.t;
+            for (const MeshCrossing& k : c) sum += k.entering ? -k.t : k.t;
         }
     CHECK(sum * 900 / (n * n) == Approx(volume(made)).epsilon(5e-3));
 }
@@ -88,7 +88,7 @@ TEST_CASE("random rays through vertices and edge middles alternate") {
     const MeshResult made = meshed(b, b.shape(shape::FacetedBall{10, 12}));
     const MeshRays rays(made.mesh);
     std::mt19937 random(7);
-    std::vector<Crossing> c;
+    std::vector<MeshCrossing> c;
     for (int i = 0; i < 5000; ++i) {
         const Vec3 p = made.mesh.points[random() % made.mesh.points.size()], q = made.mesh.points[random() % made.mesh.points.size()];
         if (p == q) continue;

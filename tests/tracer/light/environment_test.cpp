@@ -86,7 +86,7 @@ TEST_CASE("irradiance under a picture is the same by its own draws, by even ones
         const Vec2 u = Sampler(3, 1, 1, i).pair(Draw::kSky);
         const EnvironmentMap::Drawn d = map.draw(u);
         drawn_sum += map.radiance(d.direction) * (std::max(0.0, glm::dot(d.direction, normal)) / d.density / n);
-        even += map.radiance(Frame(normal).to_world(on_cosine_hemisphere(u))) * (kPi / n);
+        even += map.radiance(ShadingFrame(normal).to_world(on_cosine_hemisphere(u))) * (kPi / n);
     }
     for (int c = 0; c < 3; ++c) {
         CHECK(drawn_sum[c] == Approx(even[c]).epsilon(5e-3));

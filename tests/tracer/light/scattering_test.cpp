@@ -111,7 +111,7 @@ TEST_CASE("sampling visible normals in the furnace gives the energy that one bou
 TEST_CASE("frames are orthonormal and right-handed") {
     for (std::uint32_t i = 0; i < 200; ++i) {
         const Vec3 n = on_cap(draw(i), 2);
-        const Frame f(n);
+        const ShadingFrame f(n);
         CHECK(glm::length(glm::cross(f.x, f.y) - f.z) < 1e-14);
         CHECK(std::abs(glm::dot(f.x, f.z)) < 1e-14);
         CHECK(glm::length(f.to_local(f.to_world(Vec3(1, 2, 3))) - Vec3(1, 2, 3)) < 1e-13);
