@@ -1,5 +1,6 @@
 #include "modeler/arrange/contacts.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace whittle {
@@ -11,6 +12,7 @@ using Located = PointTable::Located;
 struct Sides {
     std::vector<int> of;
     bool below = false, above = false, on = false;
+    bool more_than_two_on() const { return std::count(of.begin(), of.end(), 0) > 2; }
     bool meets() const { return on || (below && above); }
     bool within() const { return !below && !above; }
 };
@@ -70,7 +72,7 @@ Contact contact_of(Patches& patches, const Patch& a, const Patch& b) {
     thread_local Sides of_a, of_b;
     find_sides(patches, a, b.plane, of_a);
     if (!of_a.meets()) return {};
-    if (of_a.within()) return {Contact::Kind::kCoplanar};
+    if (of_a.within()) return {Contact::Kind::kCoplanar, 0, 0, false, false};
     find_sides(patches, b, a.plane, of_b);
     if (!of_b.meets()) return {};
     const int axis = line_axis(a.plane, b.plane);
@@ -81,8 +83,8 @@ Contact contact_of(Patches& patches, const Patch& a, const Patch& b) {
     const int order = PointTable::compare(lo, hi, axis);
     if (order > 0) return {};
     const PointId from = patches.points.add(lo);
-    if (order == 0) return {Contact::Kind::kPoint, from, from};
-    return {Contact::Kind::kSegment, from, patches.points.add(hi)};
+    if (order == 0) return {Contact::Kind::kPoint, from, from, false, false};
+    return {Contact::Kind::kSegment, from, patches.points.add(hi), of_a.more_than_two_on(), of_b.more_than_two_on()};
 }
 
 }  // namespace whittle

@@ -38,6 +38,17 @@ bool known_to(const Patches& patches, const Patch& patch, PointId from, PointId 
     return false;
 }
 
+// A side of one piece may have corners in its middle; those within the segment are corners of the other facet too, even where the segment is its own edge.
+void trace_corners(const Patches& patches, const Patch& of, const Contact& contact, const Patch& in, std::uint32_t number, std::vector<Trace>& out) {
+    const auto strictly_within = [&](PointId p) {
+        for (int k = 0; k < 3; ++k)
+            if (const int s = patches.points.compare(contact.from, p, k); s != 0) return patches.points.compare(p, contact.to, k) == s;
+        return false;
+    };
+    for (const PointId p : patches.corners_of(of))
+        if (side_of(in.plane, patches.points.grid(p)) == 0 && strictly_within(p) && !known_to(patches, in, p, p)) out.push_back({in.facet, p, p, number});
+}
+
 Result<Meetings> meetings_of(Patches& patches, const BoxTree& all, const Buried& buried, const std::function<bool()>& cancelled) {
     Meetings out{{}, DisjointSets(patches.facets.size()), std::vector<bool>(patches.facets.size(), false)};
     bool stopped = false;
@@ -58,6 +69,8 @@ Result<Meetings> meetings_of(Patches& patches, const BoxTree& all, const Buried&
         }
         if (!known_to(patches, a, contact.from, contact.to)) out.traces.push_back({a.facet, contact.from, contact.to, j});
         if (!known_to(patches, b, contact.from, contact.to)) out.traces.push_back({b.facet, contact.from, contact.to, i});
+        if (contact.more_of_a) trace_corners(patches, a, contact, b, i, out.traces);
+        if (contact.more_of_b) trace_corners(patches, b, contact, a, j, out.traces);
     };
     if (buried.count == 0) {
         all.pairs(meet);

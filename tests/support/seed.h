@@ -14,4 +14,10 @@ inline std::uint64_t fresh_seed() {
     return (static_cast<std::uint64_t>(entropy()) << 32) | entropy();
 }
 
+// Where a long run of numbered trees begins: WHITTLE_FROM if set, else the first.
+inline std::uint64_t first_of_run() {
+    const char* said = std::getenv("WHITTLE_FROM");
+    return said ? std::strtoull(said, nullptr, 10) : 0;
+}
+
 }  // namespace whittle::support

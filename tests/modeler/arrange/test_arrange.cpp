@@ -115,6 +115,16 @@ TEST_CASE("a corner on the inside of a face is a corner of that face too") {
     CHECK(touching.points.size() == 8 + 4);
 }
 
+TEST_CASE("a corner in the middle of a side is a corner of the edge that it lies on") {
+    GridMesh roof;  // on a box of 4, over one of its edges; a corner of the roof's side is within that edge
+    roof.points = {{-2, 4, 4}, {-2, 0, 4}, {-2, 2, 6}, {8, 4, 4}, {8, 0, 4}, {8, 2, 6}, {1, 4, 4}};
+    roof.triangles = {{0, 1, 2}, {3, 5, 4}, {1, 0, 6}, {1, 6, 3}, {1, 3, 4}, {2, 5, 3}, {2, 3, 6}, {2, 6, 0}, {2, 1, 4}, {2, 4, 5}};
+    roof.tags = {0, 1, 2, 2, 2, 3, 3, 3, 4, 4};
+    const ArrangedMesh both = combined(SetOp::kUnion, {{box(4, 4, 4)}, {roof}});
+    CHECK(volume(both) == Approx(64 + 40));
+    CHECK(closed(both));
+}
+
 TEST_CASE("a cutter flush with its body leaves no film, a body less itself leaves nothing") {
     const GridMesh b = box(10, 10, 10);
     const ArrangedMesh tunnel = combined(SetOp::kDifference, {{b}, {box(4, 4, 10), {3, 3, 0}}});
