@@ -81,11 +81,12 @@ PointErrors errors_of(const std::vector<double>& truth, const std::vector<double
 }
 
 std::vector<double> answers_of(const Subject& subject, const std::vector<Ray>& rays) {
-    std::vector<Answer> answers(kBatch);
+    const RaySet set(rays);
+    const auto answers = std::make_unique<Answers>();
     std::vector<double> t;
-    for (std::size_t k = 0; k + kBatch <= rays.size(); k += kBatch) {
-        subject.run(&rays[k], kBatch, answers.data());
-        for (const Answer& a : answers) t.push_back(a.t);
+    for (std::size_t k = 0; k < set.batches(); ++k) {
+        subject.run(set.batch(k), *answers);
+        for (std::size_t i = 0; i < kBatch; ++i) t.push_back(answers->met(i) ? answers->t[i] : -1);
     }
     return t;
 }

@@ -67,8 +67,8 @@ void add_instances(Peer& peer, const PeerMesh& mesh, const std::vector<Placement
 }
 
 // The normal is stored as Embree leaves it, not made a unit vector.
-void first_from(Peer& peer, const Ray& ray, float from, Answer& answer) {
-    RTCRayHit r{};
+bool first_from(Peer& peer, const Ray& ray, float from, RTCRayHit& r) {
+    r = {};
     r.ray.org_x = static_cast<float>(ray.origin.x), r.ray.org_y = static_cast<float>(ray.origin.y), r.ray.org_z = static_cast<float>(ray.origin.z);
     r.ray.dir_x = static_cast<float>(ray.direction.x), r.ray.dir_y = static_cast<float>(ray.direction.y), r.ray.dir_z = static_cast<float>(ray.direction.z);
     r.ray.tnear = from;
@@ -76,62 +76,76 @@ void first_from(Peer& peer, const Ray& ray, float from, Answer& answer) {
     r.ray.mask = ~0u;
     r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(peer.scene, &peer.context, &r);
-    answer = r.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Answer{} : Answer{r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.primID};
+    return r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 
-void first_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
-    for (int i = 0; i < count; ++i) first_from(peer, rays[i], 0, answers[i]);
+void first_1(Peer& peer, const Batch& batch, Answers& answers) {
+    RTCRayHit r;
+    for (int i = 0; i < kBatch; ++i)
+        if (first_from(peer, batch.rays[i], 0, r)) {
+            answers.store(i, r.ray.tfar, {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z}, r.hit.primID);
+        } else {
+            answers.miss(i);
+        }
 }
 
-void any_1(Peer& peer, const Ray* rays, int count, Answer* answers) {
-    for (int i = 0; i < count; ++i) {
+void any_1(Peer& peer, const Batch& batch, Answers& answers) {
+    for (int i = 0; i < kBatch; ++i) {
+        const Ray& ray = batch.rays[i];
         RTCRay r{};
-        r.org_x = static_cast<float>(rays[i].origin.x), r.org_y = static_cast<float>(rays[i].origin.y), r.org_z = static_cast<float>(rays[i].origin.z);
-        r.dir_x = static_cast<float>(rays[i].direction.x), r.dir_y = static_cast<float>(rays[i].direction.y), r.dir_z = static_cast<float>(rays[i].direction.z);
+        r.org_x = static_cast<float>(ray.origin.x), r.org_y = static_cast<float>(ray.origin.y), r.org_z = static_cast<float>(ray.origin.z);
+        r.dir_x = static_cast<float>(ray.direction.x), r.dir_y = static_cast<float>(ray.direction.y), r.dir_z = static_cast<float>(ray.direction.z);
         r.tfar = HUGE_VALF;
         r.mask = ~0u;
         rtcOccluded1(peer.scene, &peer.context, &r);
-        answers[i] = Answer();
-        if (r.tfar < 0) answers[i].t = 0;
+        answers.miss(i);
+        if (r.tfar < 0) answers.t[static_cast<std::size_t>(i)] = 0;
     }
 }
 
-void fill_16(RTCRay16& r, const Ray* rays) {
-    for (int k = 0; k < 16; ++k) {
-        r.org_x[k] = static_cast<float>(rays[k].origin.x), r.org_y[k] = static_cast<float>(rays[k].origin.y), r.org_z[k] = static_cast<float>(rays[k].origin.z);
-        r.dir_x[k] = static_cast<float>(rays[k].direction.x), r.dir_y[k] = static_cast<float>(rays[k].direction.y), r.dir_z[k] = static_cast<float>(rays[k].direction.z);
-        r.tnear[k] = 0, r.tfar[k] = HUGE_VALF, r.time[k] = 0;
-        r.mask[k] = ~0u, r.id[k] = 0, r.flags[k] = 0;
-    }
+void fill_16(RTCRay16& r, const RayRows& rows, int first) {
+    const auto floats = [first](const double* from, float* to) {
+        for (int k = 0; k < 16; ++k) to[k] = static_cast<float>(from[first + k]);
+    };
+    floats(rows.origin[0], r.org_x), floats(rows.origin[1], r.org_y), floats(rows.origin[2], r.org_z);
+    floats(rows.direction[0], r.dir_x), floats(rows.direction[1], r.dir_y), floats(rows.direction[2], r.dir_z);
+    for (int k = 0; k < 16; ++k) r.tnear[k] = 0, r.tfar[k] = HUGE_VALF;
 }
 
-void first_16(Peer& peer, const Ray* rays, int count, Answer* answers) {
+// What no query changes is filled once a batch.
+void begin_16(RTCRay16& r) {
+    for (int k = 0; k < 16; ++k) r.time[k] = 0, r.mask[k] = ~0u, r.id[k] = 0, r.flags[k] = 0;
+}
+
+void first_16(Peer& peer, const Batch& batch, Answers& answers) {
     alignas(64) int valid[16];
     for (int& v : valid) v = -1;
-    for (int i = 0; i + 16 <= count; i += 16) {
-        RTCRayHit16 r;
-        fill_16(r.ray, rays + i);
+    RTCRayHit16 r;
+    begin_16(r.ray);
+    for (std::size_t i = 0; i < kBatch; i += 16) {
+        fill_16(r.ray, batch.rows, static_cast<int>(i));
         for (unsigned& id : r.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect16(valid, peer.scene, &peer.context, &r);
-        for (int k = 0; k < 16; ++k)
-            answers[i + k] = r.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID
-                                 ? Answer{}
-                                 : Answer{r.ray.tfar[k], {r.hit.Ng_x[k], r.hit.Ng_y[k], r.hit.Ng_z[k]}, r.hit.primID[k]};
+        for (std::size_t k = 0; k < 16; ++k) {
+            answers.t[i + k] = r.ray.tfar[k];  // +inf where nothing was met
+            answers.normal[0][i + k] = r.hit.Ng_x[k], answers.normal[1][i + k] = r.hit.Ng_y[k], answers.normal[2][i + k] = r.hit.Ng_z[k];
+            answers.surface[i + k] = r.hit.primID[k];
+        }
     }
 }
 
-void any_16(Peer& peer, const Ray* rays, int count, Answer* answers) {
+void any_16(Peer& peer, const Batch& batch, Answers& answers) {
     alignas(64) int valid[16];
     for (int& v : valid) v = -1;
-    for (int i = 0; i + 16 <= count; i += 16) {
-        RTCRay16 r;
-        fill_16(r, rays + i);
+    RTCRay16 r;
+    begin_16(r);
+    for (std::size_t i = 0; i < kBatch; i += 16) {
+        fill_16(r, batch.rows, static_cast<int>(i));
         rtcOccluded16(valid, peer.scene, &peer.context, &r);
-        for (int k = 0; k < 16; ++k) {
-            answers[i + k] = Answer();
-            if (r.tfar[k] < 0) answers[i + k].t = 0;
-        }
+        for (std::size_t k = 0; k < 16; ++k) answers.t[i + k] = r.tfar[k] < 0 ? 0 : -1;
     }
+    for (auto& row : answers.normal) row.fill(0);
+    answers.surface.fill(0);
 }
 
 }  // namespace
@@ -150,7 +164,7 @@ std::vector<Subject> embree_subjects(const BenchScene& scene, const PeerMesh& me
     rtcCommitScene(peer->scene);
     rtcInitIntersectContext(&peer->context);
     peer->context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    const auto of = [&](auto f) { return [peer, f](const Ray* rays, int count, Answer* answers) { f(*peer, rays, count, answers); }; };
+    const auto of = [&](auto f) { return [peer, f](const Batch& batch, Answers& answers) { f(*peer, batch, answers); }; };
     const std::string triangles = std::to_string(mesh.triangles.size()) + " triangles";
     const std::string what = !balls.empty() ? " (balls)" : scene.placements.empty() ? " (" + triangles + ")" : " (instances of " + triangles + ")";
     if (query == Query::kAny) return {{"embree 1" + what, of(any_1), {}}, {"embree 16" + what, of(any_16), {}}};
@@ -169,12 +183,10 @@ std::vector<std::vector<double>> embree_all_hits(const PeerMesh& mesh, const std
     for (std::size_t i = 0; i < rays.size(); ++i) {
         Ray ray = rays[i];
         float from = 0;
-        while (all[i].size() < 1000) {
-            Answer answer;
-            first_from(peer, ray, from, answer);
-            if (answer.t < 0) break;
-            all[i].push_back(answer.t);
-            from = std::nextafter(static_cast<float>(answer.t), HUGE_VALF);
+        RTCRayHit hit;
+        while (all[i].size() < 1000 && first_from(peer, ray, from, hit)) {
+            all[i].push_back(hit.ray.tfar);
+            from = std::nextafter(hit.ray.tfar, HUGE_VALF);
         }
     }
     return all;

@@ -49,13 +49,13 @@ Result<Built> built(const std::string& name) {
 Subject on_own_rays(const Built& b, const Subject& subject, const std::vector<Ray>& rays, double seconds) {
     Subject own;
     own.name = b.name;
-    const auto answers = std::make_shared<std::vector<Answer>>(kBatch);
-    const std::size_t batches = rays.size() / kBatch;
-    own.own_round = [subject, &rays, batches, seconds, answers] {
+    const auto answers = std::make_shared<Answers>();
+    const auto set = std::make_shared<const RaySet>(rays);
+    own.own_round = [subject, set, seconds, answers] {
         const double begin = process_seconds();
         std::size_t done = 0;
         // A step that shares no factor with the number of batches visits all before one comes twice.
-        do subject.run(&rays[done * 769 % batches * kBatch], kBatch, answers->data());
+        do subject.run(set->batch(done * 769 % set->batches()), *answers);
         while (++done < 8 || process_seconds() - begin < seconds);
         return OwnRound{static_cast<double>(done * kBatch), process_seconds() - begin};
     };
@@ -101,10 +101,11 @@ double middle(std::vector<double> values, double share) {
 Result<std::string> workers(const std::string& name, const ScalingOptions& options) {
     const auto one = built(name);
     if (!one) return tl::unexpected<Error>(one.error());
+    const auto set = std::make_shared<const RaySet>(one->camera);
     const Worker worker = [&]() -> std::function<void()> {
         const Subject subject = whittle_subjects(one->program, Query::kFirst)[0];
-        return [subject, &one, answers = std::vector<Answer>(kBatch)]() mutable {
-            for (std::size_t k = 0; k + kBatch <= one->camera.size(); k += 16 * kBatch) subject.run(&one->camera[k], kBatch, answers.data());
+        return [subject, set, answers = std::make_shared<Answers>()] {
+            for (std::size_t k = 0; k < set->batches(); k += 16) subject.run(set->batch(k), *answers);
         };
     };
     const auto once = worker();

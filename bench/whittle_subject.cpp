@@ -15,53 +15,53 @@ struct Engine {
     std::shared_ptr<const Program> program;
     Scratch scratch;
     Spans spans;
-    std::vector<Hit> hits;
-    std::unique_ptr<bool[]> found;
-    std::vector<double> far;
+    std::array<double, kBatch> far, error;
+    std::array<std::uint32_t, kBatch> use;
+    std::array<bool, kBatch> found;
 };
 
-void store(const Hit& hit, bool found, Answer& a) { a = found ? Answer{hit.end.t, hit.end.normal, hit.end.surface} : Answer{}; }
-
-void first(Engine& e, const Ray* rays, int count, Answer* answers) {
+void first(Engine& e, const Batch& batch, Answers& answers) {
     Hit hit;
-    for (int i = 0; i < count; ++i) {
-        const bool found = first_hit(*e.program, rays[i], HUGE_VAL, e.scratch, hit);
-        store(hit, found, answers[i]);
+    for (int i = 0; i < kBatch; ++i)
+        if (first_hit(*e.program, batch.rays[i], HUGE_VAL, e.scratch, hit)) {
+            answers.store(i, hit.end.t, hit.end.normal, hit.end.surface);
+        } else {
+            answers.miss(i);
+        }
+}
+
+void first_packets(Engine& e, const Batch& batch, Answers& answers) {
+    first_hits(*e.program, batch.rows, kBatch, HUGE_VAL, e.scratch,
+               {answers.t.data(), e.error.data(), {answers.normal[0].data(), answers.normal[1].data(), answers.normal[2].data()}, answers.surface.data(), e.use.data()});
+}
+
+void any(Engine& e, const Batch& batch, Answers& answers) {
+    for (int i = 0; i < kBatch; ++i) {
+        answers.miss(i);
+        if (any_hit(*e.program, batch.rays[i], HUGE_VAL, e.scratch)) answers.t[static_cast<std::size_t>(i)] = 0;
     }
 }
 
-void first_packets(Engine& e, const Ray* rays, int count, Answer* answers) {
-    first_hits(*e.program, rays, count, HUGE_VAL, e.scratch, e.hits.data(), e.found.get());
-    for (int i = 0; i < count; ++i) store(e.hits[static_cast<std::size_t>(i)], e.found[static_cast<std::size_t>(i)], answers[i]);
+void any_packets(Engine& e, const Batch& batch, Answers& answers) {
+    any_hits(*e.program, batch.rows, e.far.data(), kBatch, e.scratch, e.found.data());
+    for (std::size_t i = 0; i < kBatch; ++i) answers.t[i] = e.found[i] ? 0 : -1;
+    for (auto& row : answers.normal) row.fill(0);
+    answers.surface.fill(0);
 }
 
-void any(Engine& e, const Ray* rays, int count, Answer* answers) {
-    for (int i = 0; i < count; ++i) {
-        answers[i] = Answer();
-        if (any_hit(*e.program, rays[i], HUGE_VAL, e.scratch)) answers[i].t = 0;
-    }
-}
-
-void any_packets(Engine& e, const Ray* rays, int count, Answer* answers) {
-    any_hits(*e.program, rays, e.far.data(), count, e.scratch, e.found.get());
-    for (int i = 0; i < count; ++i) {
-        answers[i] = Answer();
-        if (e.found[static_cast<std::size_t>(i)]) answers[i].t = 0;
-    }
-}
-
-void spans(Engine& e, const Ray* rays, int count, Answer* answers) {
-    for (int i = 0; i < count; ++i) {
-        answers[i] = Answer();
-        all_spans(*e.program, rays[i], e.scratch, e.spans);
+void spans(Engine& e, const Batch& batch, Answers& answers) {
+    for (int i = 0; i < kBatch; ++i) {
+        answers.miss(i);
+        all_spans(*e.program, batch.rays[i], e.scratch, e.spans);
         if (e.spans.empty()) continue;
-        answers[i].t = 0;
-        answers[i].surface = static_cast<std::uint32_t>(e.spans.size());
+        double length = 0;
+        Vec3 normals(0);
         for (const Span& s : e.spans)
             if (s.in && s.out) {
-                answers[i].t += s.out->t - s.in->t;
-                answers[i].normal += s.in->normal + s.out->normal;
+                length += s.out->t - s.in->t;
+                normals += s.in->normal + s.out->normal;
             }
+        answers.store(i, length, normals, static_cast<std::uint32_t>(e.spans.size()));
     }
 }
 
@@ -80,10 +80,8 @@ std::vector<Subject> whittle_subjects(std::shared_ptr<const Program> program, Qu
     const auto add = [&](const char* name, auto answer) {
         const auto engine = std::make_shared<Engine>();
         engine->program = program;
-        engine->hits.resize(kBatch);
-        engine->found = std::make_unique<bool[]>(kBatch);
-        engine->far.assign(kBatch, HUGE_VAL);
-        subjects.push_back({name, [engine, answer](const Ray* rays, int count, Answer* answers) { answer(*engine, rays, count, answers); },
+        engine->far.fill(HUGE_VAL);
+        subjects.push_back({name, [engine, answer](const Batch& batch, Answers& answers) { answer(*engine, batch, answers); },
                             [engine] { return work_done(*engine); }});
     };
     if (query == Query::kFirst) add("whittle packets", first_packets);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tracer/engine/gradient.h"
+#include "tracer/engine/rows.h"
 #include "tracer/engine/scratch.h"
 #include "tracer/engine/space.h"
 
@@ -33,17 +34,34 @@ namespace {
 // 5 leaves 5.1 times as fast, 201 0.68, 512 1.15, 1201 1.14; any hit 4.8, 0.99, 0.79, 1.07.
 constexpr std::size_t kMostLeavesApart = 100;
 
-// False: some coordinate is no number, or not finite.
-bool load_tile(const Ray* rays, std::size_t count, TileMemory& m, TileExtremes& extremes) {
-    const std::size_t padded = (count + kMostLanes - 1) / kMostLanes * kMostLanes;
-    for (std::size_t k = 0; k < padded; ++k) {
-        const Ray& ray = rays[std::min(k, count - 1)];
+std::size_t padded_to_lanes(std::size_t count) { return (count + kMostLanes - 1) / kMostLanes * kMostLanes; }
+
+// The last ray stands for those that fill the packets up.
+void fill_up(TileMemory& m, std::size_t count) {
+    for (std::size_t k = count; k < padded_to_lanes(count); ++k)
+        for (std::size_t i = 0; i < 3; ++i) m.o[i][k] = m.o[i][count - 1], m.d[i][k] = m.d[i][count - 1];
+}
+
+// Of the rays last loaded. False: some coordinate is no number, or not finite.
+bool measure(const TileMemory& m, std::size_t count, TileExtremes& extremes) {
+    return HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded_to_lanes(count), extremes) && extremes.least_square > 0;
+}
+
+void load_rays(const Ray* rays, std::size_t count, TileMemory& m) {
+    for (std::size_t k = 0; k < count; ++k)
         for (std::size_t i = 0; i < 3; ++i) {
-            m.o[i][k] = ray.origin[static_cast<int>(i)];
-            m.d[i][k] = ray.direction[static_cast<int>(i)];
+            m.o[i][k] = rays[k].origin[static_cast<int>(i)];
+            m.d[i][k] = rays[k].direction[static_cast<int>(i)];
         }
+    fill_up(m, count);
+}
+
+void load_rows(const RayRows& rays, int first, std::size_t count, TileMemory& m) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::copy_n(rays.origin[i] + first, count, m.o[i].begin());
+        std::copy_n(rays.direction[i] + first, count, m.d[i].begin());
     }
-    return HWY_DYNAMIC_DISPATCH(tile_extremes)(m, padded, extremes) && extremes.least_square > 0;
+    fill_up(m, count);
 }
 
 void take_work(TileMemory& m, EngineCounters& counters) {
@@ -73,52 +91,123 @@ void make_hit(const Program& program, const TileMemory& m, std::size_t k, const 
     hit.departure.count = 1;
 }
 
-void hits_alone(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
-    for (int k = 0; k < count; ++k) found[k] = first_hit(program, rays[k], t_max, scratch, hits[k]);
+// At most kTileRays rays, which are handed as one tile to `answer`(bounds, shared, first, count) if they go together; else a few at a time, or, where that
+// does not pay or some coordinate is not finite, to `alone`(first, count).
+template <class Io, class Answer, class Alone>
+void meet_tile(const Program& program, const Io& io, int first, int count, TileMemory& m, Answer answer, Alone alone) {
+    TileExtremes extremes;
+    io.load(first, static_cast<std::size_t>(count), m);
+    if (!measure(m, static_cast<std::size_t>(count), extremes)) return alone(first, count);
+    const TileBounds bounds = tile_bounds(extremes);
+    const TileScope scope = tile_scope(extremes, program.bounds);
+    if (!(scope.horizon < HUGE_VAL)) return alone(first, count);
+    m.tree.begin(program, scope);
+    if (bounds.coherent) return answer(bounds, false, first, count);
+    constexpr int kFew = static_cast<int>(kMostLanes);
+    for (int i = first; i < first + count; i += kFew) {
+        const int few = std::min(kFew, first + count - i);
+        io.load(i, static_cast<std::size_t>(few), m);
+        measure(m, static_cast<std::size_t>(few), extremes);
+        const TileBounds near = tile_bounds(extremes);
+        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
+            answer(near, true, i, few);
+        } else {
+            alone(i, few);
+        }
+    }
+}
+
+// Rays and their hits, one by one.
+struct OneByOne {
+    const Ray* rays;
+    Hit* hits;
+    bool* found;
+
+    void load(int first, std::size_t count, TileMemory& m) const { load_rays(rays + first, count, m); }
+    void ask_alone(const Program& program, int i, double t_max, Scratch& scratch) const { found[i] = first_hit(program, rays[i], t_max, scratch, hits[i]); }
+    // Of the tile's rays, which stand from `first` on.
+    void take(const Program& program, const TileMemory& m, int first, int count, double t_max, Scratch& scratch) const {
+        for (int i = first; i < first + count; ++i) {
+            const auto k = static_cast<std::size_t>(i - first);
+            if (m.deferred[k] || rays[i].departure != nullptr) {
+                ++scratch.counters.packet_deferred;
+                ask_alone(program, i, t_max, scratch);
+                continue;
+            }
+            ++scratch.counters.packet_rays;
+            ++scratch.counters.skipped_by(EnginePass::kFirst);
+            found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
+            if (!found[i]) continue;
+            make_hit(program, m, k, rays[i], hits[i]);
+            scratch.counters.uncertified += !hits[i].end.certified;
+        }
+    }
+};
+
+// Rays and their hits in rows.
+struct InRows {
+    const RayRows& rays;
+    const HitRows& hits;
+
+    void load(int first, std::size_t count, TileMemory& m) const { load_rows(rays, first, count, m); }
+    void ask_alone(const Program& program, int i, double t_max, Scratch& scratch) const {
+        Hit hit;
+        const bool found = first_hit(program, rays.ray(i), t_max, scratch, hit);
+        hits.t[i] = found ? hit.end.t : HUGE_VAL;
+        hits.t_error[i] = hit.end.t_error;
+        for (std::size_t axis = 0; axis < 3; ++axis) hits.normal[axis][i] = hit.end.normal[static_cast<int>(axis)];
+        hits.surface[i] = hit.end.surface;
+        hits.use[i] = hit.end.use;
+    }
+    void take(const Program& program, const TileMemory& m, int first, int count, double t_max, Scratch& scratch) const {
+        const auto n = static_cast<std::size_t>(count);
+        for (std::size_t k = 0; k < n; ++k) hits.t[static_cast<std::size_t>(first) + k] = m.t[k] <= t_max ? std::max(m.t[k], 0.0) : HUGE_VAL;
+        std::copy_n(m.error.begin(), n, hits.t_error + first);
+        for (std::size_t axis = 0; axis < 3; ++axis) std::copy_n(m.normal[axis].begin(), n, hits.normal[axis] + first);
+        for (std::size_t k = 0; k < n; ++k) hits.surface[static_cast<std::size_t>(first) + k] = static_cast<ClassId>(m.id[k] >> 1);
+        for (std::size_t k = 0; k < n; ++k) hits.use[static_cast<std::size_t>(first) + k] = m.use[k] < HUGE_VAL ? static_cast<std::uint32_t>(m.use[k]) : 0;
+        std::uint64_t alone = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            if (m.deferred[k]) {
+                ++alone;
+                ask_alone(program, first + static_cast<int>(k), t_max, scratch);
+            } else if (program.some_uncertified && m.t[k] <= t_max && m.t[k] < HUGE_VAL) {
+                scratch.counters.uncertified += !program.class_labels[m.id[k] >> 1].exact;
+            }
+        }
+        scratch.counters.packet_deferred += alone;
+        scratch.counters.packet_rays += n - alone;
+        scratch.counters.skipped_by(EnginePass::kFirst) += n - alone;
+    }
+};
+
+template <class Io>
+void hits_alone(const Program& program, const Io& io, int first, int count, double t_max, Scratch& scratch) {
+    for (int i = first; i < first + count; ++i) io.ask_alone(program, i, t_max, scratch);
 }
 
 // Of the rays last loaded: at most kTileRays that go together, or kMostLanes that need not.
-void hits_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits,
-                     bool* found) {
+template <class Io>
+void hits_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Io& io, int first, int count, double t_max, Scratch& scratch) {
     TileMemory& m = scratch.impl->tile;
     HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, bounds.coherent, shared);
     take_work(m, scratch.counters);
-    for (int i = 0; i < count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (m.deferred[k] || rays[i].departure != nullptr) {
-            ++scratch.counters.packet_deferred;
-            found[i] = first_hit(program, rays[i], t_max, scratch, hits[i]);
-            continue;
-        }
-        ++scratch.counters.packet_rays;
-        ++scratch.counters.skipped_by(EnginePass::kFirst);
-        found[i] = m.t[k] < HUGE_VAL && m.t[k] <= t_max;
-        if (!found[i]) continue;
-        make_hit(program, m, k, rays[i], hits[i]);
-        scratch.counters.uncertified += !hits[i].end.certified;
-    }
+    io.take(program, m, first, count, t_max, scratch);
 }
 
-void hits_of_tile(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
+template <class Io>
+void hits_of_tile(const Program& program, const Io& io, int first, int count, double t_max, Scratch& scratch) {
     TileMemory& m = scratch.impl->tile;
-    TileExtremes extremes;
-    if (!load_tile(rays, static_cast<std::size_t>(count), m, extremes)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
-    const TileBounds bounds = tile_bounds(extremes);
-    const TileScope scope = tile_scope(extremes, program.bounds);
-    if (!(scope.horizon < HUGE_VAL)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
-    m.tree.begin(program, scope);
-    if (bounds.coherent) return hits_of_packets(program, bounds, false, rays, count, t_max, scratch, hits, found);
-    constexpr int kFew = static_cast<int>(kMostLanes);
-    for (int i = 0; i < count; i += kFew) {
-        const int few = std::min(kFew, count - i);
-        load_tile(rays + i, static_cast<std::size_t>(few), m, extremes);
-        const TileBounds near = tile_bounds(extremes);
-        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
-            hits_of_packets(program, near, true, rays + i, few, t_max, scratch, hits + i, found + i);
-        } else {
-            hits_alone(program, rays + i, few, t_max, scratch, hits + i, found + i);
-        }
-    }
+    const auto answer = [&](const TileBounds& bounds, bool shared, int from, int n) { hits_of_packets(program, bounds, shared, io, from, n, t_max, scratch); };
+    const auto alone = [&](int from, int n) { hits_alone(program, io, from, n, t_max, scratch); };
+    meet_tile(program, io, first, count, m, answer, alone);
+}
+
+template <class Io>
+void hits_of_all(const Program& program, const Io& io, int count, double t_max, Scratch& scratch) {
+    // Packets are made of these passes.
+    if (!program.makes(EnginePass::kFirst) || !program.makes(EnginePass::kFilter)) return hits_alone(program, io, 0, count, t_max, scratch);
+    for (int i = 0; i < count; i += kTileRays) hits_of_tile(program, io, i, std::min(count - i, kTileRays), t_max, scratch);
 }
 
 // The event that a ray leaves, as its packet knows it. False: packets do not know such departures.
@@ -145,32 +234,58 @@ bool departure_of(const Program& program, const Ray& ray, std::uint64_t& id) {
     return std::abs(along) > kLeastCosine * glm::length(ray.direction);
 }
 
-void any_alone(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
-    for (int k = 0; k < count; ++k) blocked[k] = any_hit(program, rays[k], t_max[k], scratch);
+// Rays one by one, or in rows, and whether each is blocked before its own t_max.
+struct AnyOneByOne {
+    const Ray* rays;
+    const double* t_max;
+    bool* blocked;
+
+    Ray ray(int i) const { return rays[i]; }
+    void load(int first, std::size_t count, TileMemory& m) const { load_rays(rays + first, count, m); }
+    bool departs(const Program& program, int i, std::uint64_t& id) const { return departure_of(program, rays[i], id); }
+};
+
+struct AnyInRows {
+    const RayRows& rays;
+    const double* t_max;
+    bool* blocked;
+
+    Ray ray(int i) const { return rays.ray(i); }
+    void load(int first, std::size_t count, TileMemory& m) const { load_rows(rays, first, count, m); }
+    bool departs(const Program&, int, std::uint64_t& id) const {
+        id = ~std::uint64_t{0};
+        return true;
+    }
+};
+
+template <class Io>
+void any_alone(const Program& program, const Io& io, int first, int count, Scratch& scratch) {
+    for (int i = first; i < first + count; ++i) io.blocked[i] = any_hit(program, io.ray(i), io.t_max[i], scratch);
 }
 
 // Of the rays last loaded.
-void any_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Ray* rays, const double* t_max, int count, Scratch& scratch,
-                    bool* blocked) {
+template <class Io>
+void any_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Io& io, int first, int count, Scratch& scratch) {
     TileMemory& m = scratch.impl->tile;
     std::array<bool, kTileRays> alone;
-    const auto n = static_cast<std::size_t>(count), padded = (n + kMostLanes - 1) / kMostLanes * kMostLanes;
+    const auto n = static_cast<std::size_t>(count), padded = padded_to_lanes(n);
     for (std::size_t k = 0; k < padded; ++k) {
-        const std::size_t ray = std::min(k, n - 1);
-        alone[k] = !departure_of(program, rays[ray], m.departed[k]);
+        const int i = first + static_cast<int>(std::min(k, n - 1));
+        alone[k] = !io.departs(program, i, m.departed[k]);
         // A lane that is asked alone anyway looks for nothing.
-        m.t[k] = alone[k] ? -HUGE_VAL : t_max[ray];
+        m.t[k] = alone[k] ? -HUGE_VAL : io.t_max[i];
     }
     m.any = true;
     HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
     m.any = false;
     take_work(m, scratch.counters);
     for (std::size_t k = 0; k < n; ++k) {
-        blocked[k] = m.t[k] == -HUGE_VAL;
+        const int i = first + static_cast<int>(k);
+        io.blocked[i] = m.t[k] == -HUGE_VAL;
         // Blocked is blocked, whatever else was close.
-        if (alone[k] || (m.deferred[k] && !blocked[k])) {
+        if (alone[k] || (m.deferred[k] && !io.blocked[i])) {
             ++scratch.counters.packet_deferred;
-            blocked[k] = any_hit(program, rays[k], t_max[k], scratch);
+            any_alone(program, io, i, 1, scratch);
         } else {
             ++scratch.counters.packet_rays;
             ++scratch.counters.skipped_by(EnginePass::kAny);
@@ -178,26 +293,18 @@ void any_of_packets(const Program& program, const TileBounds& bounds, bool share
     }
 }
 
-void any_of_tile(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+template <class Io>
+void any_of_tile(const Program& program, const Io& io, int first, int count, Scratch& scratch) {
     TileMemory& m = scratch.impl->tile;
-    TileExtremes extremes;
-    if (!load_tile(rays, static_cast<std::size_t>(count), m, extremes)) return any_alone(program, rays, t_max, count, scratch, blocked);
-    const TileBounds bounds = tile_bounds(extremes);
-    const TileScope scope = tile_scope(extremes, program.bounds);
-    if (!(scope.horizon < HUGE_VAL)) return any_alone(program, rays, t_max, count, scratch, blocked);
-    m.tree.begin(program, scope);
-    if (bounds.coherent) return any_of_packets(program, bounds, false, rays, t_max, count, scratch, blocked);
-    constexpr int kFew = static_cast<int>(kMostLanes);
-    for (int i = 0; i < count; i += kFew) {
-        const int few = std::min(kFew, count - i);
-        load_tile(rays + i, static_cast<std::size_t>(few), m, extremes);
-        const TileBounds near = tile_bounds(extremes);
-        if (near.coherent || program.leaves.size() <= kMostLeavesApart) {
-            any_of_packets(program, near, true, rays + i, t_max + i, few, scratch, blocked + i);
-        } else {
-            any_alone(program, rays + i, t_max + i, few, scratch, blocked + i);
-        }
-    }
+    const auto answer = [&](const TileBounds& bounds, bool shared, int from, int n) { any_of_packets(program, bounds, shared, io, from, n, scratch); };
+    const auto alone = [&](int from, int n) { any_alone(program, io, from, n, scratch); };
+    meet_tile(program, io, first, count, m, answer, alone);
+}
+
+template <class Io>
+void any_of_all(const Program& program, const Io& io, int count, Scratch& scratch) {
+    if (!program.makes(EnginePass::kFilter)) return any_alone(program, io, 0, count, scratch);
+    for (int i = 0; i < count; i += kTileRays) any_of_tile(program, io, i, std::min(count - i, kTileRays), scratch);
 }
 
 // With borders and normals that nobody asked for.
@@ -218,8 +325,19 @@ void any_hits(const Program& program, const Ray* rays, const double* t_max, int 
         return;
     }
     if (!program.makes(EnginePass::kAny)) return any_of_first(program, rays, t_max, count, scratch, blocked);
-    if (!program.makes(EnginePass::kFilter)) return any_alone(program, rays, t_max, count, scratch, blocked);
-    for (int i = 0; i < count; i += kTileRays) any_of_tile(program, rays + i, t_max + i, std::min(count - i, kTileRays), scratch, blocked + i);
+    any_of_all(program, AnyOneByOne{rays, t_max, blocked}, count, scratch);
+}
+
+void any_hits(const Program& program, const RayRows& rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
+    if (program.empty || program.everything) {
+        std::fill(blocked, blocked + count, program.everything);
+        return;
+    }
+    if (program.makes(EnginePass::kAny)) return any_of_all(program, AnyInRows{rays, t_max, blocked}, count, scratch);
+    for (int i = 0; i < count; ++i) {
+        const Ray ray = rays.ray(i);
+        any_of_first(program, &ray, t_max + i, 1, scratch, blocked + i);
+    }
 }
 
 void first_hits(const Program& program, const Ray* rays, int count, double t_max, Scratch& scratch, Hit* hits, bool* found) {
@@ -227,9 +345,15 @@ void first_hits(const Program& program, const Ray* rays, int count, double t_max
         std::fill(found, found + count, false);
         return;
     }
-    // Packets are made of these passes.
-    if (!program.makes(EnginePass::kFirst) || !program.makes(EnginePass::kFilter)) return hits_alone(program, rays, count, t_max, scratch, hits, found);
-    for (int i = 0; i < count; i += kTileRays) hits_of_tile(program, rays + i, std::min(count - i, kTileRays), t_max, scratch, hits + i, found + i);
+    hits_of_all(program, OneByOne{rays, hits, found}, count, t_max, scratch);
+}
+
+void first_hits(const Program& program, const RayRows& rays, int count, double t_max, Scratch& scratch, const HitRows& hits) {
+    if (program.empty || program.everything) {
+        std::fill_n(hits.t, count, HUGE_VAL);
+        return;
+    }
+    hits_of_all(program, InRows{rays, hits}, count, t_max, scratch);
 }
 
 }  // namespace whittle

@@ -8,7 +8,7 @@
 
 namespace whittle {
 
-inline constexpr std::size_t kMostLanes = 8;
+inline constexpr std::size_t kMostLanes = 16;
 
 // A cache line of raw memory: what holds vectors, whose type depends on the instruction set.
 struct alignas(64) RawLine {
@@ -19,7 +19,7 @@ struct alignas(64) RawLine {
 struct PacketMask {
     std::array<std::uint64_t, kTileRays / 64> words{};
     bool has(std::size_t i) const { return ((words[i / 64] >> (i % 64)) & 1) != 0; }
-    // Requires: `n` <= 8 divides 64, `at` is a multiple of it.
+    // Requires: `n` < 64 divides 64, `at` is a multiple of it.
     void put(std::size_t at, std::size_t n, std::uint64_t bits) { words[at / 64] |= (bits & ((std::uint64_t{1} << n) - 1)) << (at % 64); }
     std::size_t count() const {
         std::size_t n = 0;

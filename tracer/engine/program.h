@@ -114,6 +114,7 @@ public:
     std::vector<FloatBox> leaf_boxes;      // around each leaf that is not negated, around what it takes away where it is; may be infinite
     std::vector<ClassLabel> class_labels;  // by class
     bool some_depend = false;              // some class's label is kDepends
+    bool some_uncertified = false;         // some leaf is not exact
     bool bodies_show = false;              // no cutter names its surface, and matter is by the author's order: the first body at a border shows there
     std::vector<Group> groups;
     std::vector<Ref> refs;

@@ -387,6 +387,7 @@ void describe_for_packets(Program& program) {
         label.of_facets = u.of_facets;
         label.exact = u.exact;
         program.some_depend = program.some_depend || label.kind == ClassLabel::Kind::kDepends;
+        program.some_uncertified = program.some_uncertified || !label.exact;
         program.class_labels.push_back(label);
     }
     for (const Ref ref : program.refs) {

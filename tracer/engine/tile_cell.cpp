@@ -17,6 +17,7 @@ constexpr double kLeastSlope = 0x1p-9;
 constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
 constexpr double kMostRoundError = 0x1p-24; // rays that have little in common: all grazing angles at once, from all distances
 constexpr double kMostQuadricError = 0x1p-38;
+constexpr double kDepartureRoom = 0x1p-34;  // of the horizon: rays that leave a surface begin on it but for the rounding of their origin
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
 
 double largest(double lo, double hi) { return std::max(std::abs(lo), std::abs(hi)); }
@@ -83,6 +84,12 @@ struct Interval {
 
 Interval quotient(const Interval& a, const Interval& b) {
     const double w = a.lo / b.lo, x = a.lo / b.hi, y = a.hi / b.lo, z = a.hi / b.hi;
+    const double lo = std::min(std::min(w, x), std::min(y, z)), hi = std::max(std::max(w, x), std::max(y, z));
+    return {lo - std::abs(lo) * (kRoom - 1), hi + std::abs(hi) * (kRoom - 1)};
+}
+
+Interval product(const Interval& a, const Interval& b) {
+    const double w = a.lo * b.lo, x = a.lo * b.hi, y = a.hi * b.lo, z = a.hi * b.hi;
     const double lo = std::min(std::min(w, x), std::min(y, z)), hi = std::max(std::max(w, x), std::max(y, z));
     return {lo - std::abs(lo) * (kRoom - 1), hi + std::abs(hi) * (kRoom - 1)};
 }
@@ -222,8 +229,44 @@ private:
         t.still = !ball && largest(line.d_lo[i], line.d_hi[i]) == 0 && largest(line.d_lo[j], line.d_hi[j]) == 0;
         if (!(t.round.missed < HUGE_VAL)) return false;
         if (!(t.round.error <= kMostRoundError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
-        take(t, {}, t.still ? 0 : t.round.error + 2 * u * scope_.horizon);
+        const double error = t.still ? 0 : t.round.error + 2 * u * scope_.horizon;
+        take(t, {}, error);
+        if (!t.inverted && !t.still) bound_round(line, centre, r, ball, t.axis, 4 * error + kDepartureRoom * scope_.horizon);
         return true;
+    }
+
+    // The tile's rays are inside the surface within [last_in_, first_out_] only; nowhere, if all pass it by. A ray's distance from the centre is its cross
+    // product's with the way there, over the length of its direction.
+    void bound_round(const TileLine& line, const std::array<double, 3>& centre, double r, bool ball, std::size_t axis, double room) {
+        std::array<Interval, 3> o, d;
+        Interval a{0, 0}, along{0, 0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!ball && i == axis) continue;
+            o[i] = {lower(line.o_lo[i] - centre[i]), upper(line.o_hi[i] - centre[i])};
+            d[i] = {line.d_lo[i], line.d_hi[i]};
+            const double least = smallest(d[i].lo, d[i].hi), most = largest(d[i].lo, d[i].hi);
+            a.lo += least * least, a.hi += most * most;
+            const Interval step = product(o[i], d[i]);
+            along.lo += step.lo, along.hi += step.hi;
+        }
+        double passed = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!ball && i != axis) continue;
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            const Interval x = product(o[j], d[k]), y = product(o[k], d[j]);
+            const double least = smallest(lower(x.lo - y.hi), upper(x.hi - y.lo));
+            passed += least * least;
+        }
+        const double left = a.hi * r * r * kRoom - passed / kRoom;
+        if (left < 0) {
+            first_out_ = -HUGE_VAL;
+            last_in_ = HUGE_VAL;
+        }
+        if (!(left >= 0) || !(a.lo > 0)) return;
+        const double half = std::sqrt(left) / a.lo * kRoom + room;
+        const Interval closest = quotient({-along.hi, -along.lo}, a);
+        last_in_ = std::max(last_in_, lower(closest.lo - half));
+        first_out_ = std::min(first_out_, upper(closest.hi + half));
     }
 
     bool add_quadric(TileSurface& t) {

@@ -8,6 +8,7 @@
 #include "tests/support/random_solid.h"
 #include "tests/tracer/engine/rays.h"
 #include "tracer/engine/engine.h"
+#include "tracer/engine/rows.h"
 
 using namespace whittle;
 using namespace whittle::support;
@@ -45,6 +46,31 @@ struct Tally {
     std::uint64_t hits = 0, in_packets = 0;
 };
 
+// Rays whose hit in rows differs from that of `hits`.
+int differing_in_rows(const Program& program, const std::vector<Ray>& rays, double t_max, const std::vector<Hit>& hits, const bool* found) {
+    const std::size_t n = rays.size();
+    std::array<std::vector<double>, 6> from;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (const Ray& ray : rays) from[i].push_back(i < 3 ? ray.origin[static_cast<int>(i)] : ray.direction[static_cast<int>(i - 3)]);
+    std::vector<double> t(n), error(n), x(n), y(n), z(n), far(n, t_max);
+    std::vector<ClassId> surface(n);
+    std::vector<std::uint32_t> use(n);
+    const auto blocked = std::make_unique<bool[]>(n);
+    const RayRows rows{{from[0].data(), from[1].data(), from[2].data()}, {from[3].data(), from[4].data(), from[5].data()}};
+    Scratch scratch;
+    first_hits(program, rows, static_cast<int>(n), t_max, scratch, {t.data(), error.data(), {x.data(), y.data(), z.data()}, surface.data(), use.data()});
+    any_hits(program, rows, far.data(), static_cast<int>(n), scratch, blocked.get());
+    int wrong = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        wrong += blocked[i] != any_hit(program, rays[i], t_max, scratch);
+        wrong += found[i] != (t[i] < HUGE_VAL);
+        if (!found[i]) continue;
+        const End& end = hits[i].end;
+        wrong += !same_bits(end.t, t[i]) || !same_bits(end.t_error, error[i]) || !same_bits(end.normal, {x[i], y[i], z[i]}) || end.surface != surface[i] || end.use != use[i];
+    }
+    return wrong;
+}
+
 // Rays whose packet answer differs from the single one.
 int differing(const Program& program, const std::vector<Ray>& rays, double t_max, Tally& tally) {
     Scratch a, b;
@@ -59,7 +85,7 @@ int differing(const Program& program, const std::vector<Ray>& rays, double t_max
         wrong += is != found[i] || (is && !same_bits(one, many[i]));
     }
     tally.in_packets += a.counters.packet_rays;
-    return wrong;
+    return wrong + differing_in_rows(program, rays, t_max, many, found.get());
 }
 
 }  // namespace
