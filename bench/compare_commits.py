@@ -22,7 +22,8 @@ def build(commit, folder, jobs, target, cmake_options):
     tree = os.path.join(folder, name)
     if not os.path.isdir(tree):
         run(['git', 'worktree', 'add', '--detach', '--quiet', tree, name])
-    out = os.path.join(tree, 'build' + ''.join(cmake_options).replace('/', '_'))
+    # As deep as the preset's own folder: a compiler cache then knows what other checkouts have compiled.
+    out = os.path.join(tree, 'build', 'release' + ''.join(cmake_options).replace('/', '_'))
     here = {**os.environ, 'CCACHE_BASEDIR': tree}
     run(['cmake', '--preset', 'release', '-B', out, '-DWHITTLE_BENCH=ON', '-DWHITTLE_TESTS=OFF', *cmake_options], stdout=subprocess.DEVNULL, cwd=tree, env=here)
     run(['ninja', '-C', out, f'-j{jobs}', target], stdout=subprocess.DEVNULL, env=here)

@@ -54,10 +54,20 @@ void describe_flat(Program& program) {
     for (std::uint32_t i = 0; i < g.item_count; ++i) look_at(program.refs[g.first_item + i]);
 }
 
+// Vectors that grew hold up to twice what they need.
+void shrink(Program& program) {
+    if (std::none_of(program.balls.begin(), program.balls.end(), [](const ItemBall& b) { return b.r > 0; })) program.balls.clear();
+    const auto all = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
+    all(program.frames, program.motions, program.classes, program.half_spaces, program.leaves, program.leaf_boxes, program.class_labels, program.groups, program.refs,
+        program.balls, program.nodes, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
+        program.matter_order);
+}
+
 class Compiler {
 public:
     Compiler(Formula formula, const EngineOptions& options) : formula_(std::move(formula)), classes_(find_classes(formula_, options.snap)) {
         program_.passes = passes_made(options.disabled_passes);
+        formula_.table.keep_frames();
     }
 
     std::shared_ptr<const Program> run() {
@@ -84,7 +94,9 @@ public:
         program_.frames = std::move(formula_.table.frames);
         describe_flat(program_);
         describe_for_packets(program_);
+        formula_ = {};
         if (program_.makes(EnginePass::kCells)) divide_space(program_);
+        shrink(program_);
         return std::make_shared<const Program>(std::move(program_));
     }
 

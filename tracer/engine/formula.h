@@ -43,6 +43,8 @@ public:
     SupportId add(const Support& support, const Bounds& box, double rounding, double rounding_per_size);
     // Unbounded occurrences (half-spaces, quadrics) touch the solid only inside its box.
     void bound_by(const Bounds& box);
+    // The supports have their classes: only the frames are asked for from now on.
+    void keep_frames();
 
     std::vector<Frame> frames;
     std::vector<Support> supports;

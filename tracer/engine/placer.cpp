@@ -87,6 +87,13 @@ SupportId SupportTable::add(const Support& support, const Bounds& box, double ro
     return id;
 }
 
+void SupportTable::keep_frames() {
+    supports = {};
+    occurrences = {};
+    frames_by_hash_ = {};
+    supports_by_hash_ = {};
+}
+
 void SupportTable::bound_by(const Bounds& box) {
     const Vec3 size = box.hi - box.lo;
     const double extent = std::max({size.x, size.y, size.z});

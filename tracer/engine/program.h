@@ -118,7 +118,9 @@ public:
     bool bodies_show = false;              // no cutter names its surface, and matter is by the author's order: the first body at a border shows there
     std::vector<Group> groups;
     std::vector<Ref> refs;
-    std::vector<ItemBall> balls;  // one a ref
+    std::vector<ItemBall> balls;  // one a ref; empty where none is a ball
+    // Null where the ref is anything else.
+    const ItemBall* ball(std::uint32_t ref) const { return !balls.empty() && balls[ref].r > 0 ? &balls[ref] : nullptr; }
     std::vector<BoxNode> nodes;
     std::vector<WideNode> wide;   // the same hierarchies for single rays; their items are numbers of refs
     std::vector<SpaceNode> space;  // root first; empty where cells do not pay

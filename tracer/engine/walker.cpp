@@ -144,9 +144,10 @@ bool Walker::each_ahead(const Group& g, const Range& range, Take take) {
 }
 
 Found Walker::next_in_item(std::uint32_t ref, const Event& cursor, bool want, Event& out) {
-    const ItemBall& ball = context_.program().balls[ref];
+    const ItemBall* found = context_.program().ball(ref);
     Crossings c;
-    if (!want || !(ball.r > 0) || !context_.crossings(ball, c)) return next(context_.program().refs[ref], cursor, want, out);
+    if (!want || !found || !context_.crossings(*found, c)) return next(context_.program().refs[ref], cursor, want, out);
+    const ItemBall& ball = *found;
     ++context_.counters().primitive_tests;
     if (c.count == 0) return Found::kNever;
     const Event in{c.t[0], c.error[0], ball.id, 0, false}, behind{c.t[1], c.error[1], ball.id, 1, false};
@@ -190,7 +191,7 @@ bool Walker::meets(Ref ref, const Event& cursor) {
     for (std::uint32_t i = 0; i < g.plain_count; ++i)
         if (meets(program.refs[g.first_plain + i], cursor)) return true;
     return each_ahead(g, {cursor.t - cursor.error, far_}, [&](std::uint32_t item) {
-        if (!(program.balls[item].r > 0)) return meets(program.refs[item], cursor);
+        if (!program.ball(item)) return meets(program.refs[item], cursor);
         Event e;
         return is_before_far(next_in_item(item, cursor, true, e), e);
     });

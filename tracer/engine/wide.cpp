@@ -34,48 +34,76 @@ struct Part {
 class Widener {
 public:
     Widener(const Hierarchy& hierarchy, const std::vector<FloatBox>& boxes, std::uint32_t first_item, std::vector<WideNode>& out)
-        : hierarchy_(hierarchy), boxes_(boxes), first_item_(first_item), out_(out) {}
+        : hierarchy_(hierarchy), boxes_(boxes), first_item_(first_item), out_(out), items_(hierarchy.nodes.size()) {
+        // Children stand behind their parents.
+        for (std::size_t i = items_.size(); i-- > 0;) {
+            const BoxNode& node = hierarchy.nodes[i];
+            items_[i] = node.count > 0 ? node.count : items_[node.first] + items_[node.first + 1];
+        }
+    }
 
     std::uint32_t add(std::uint32_t root) {
         const auto at = static_cast<std::uint32_t>(out_.size());
         out_.emplace_back();
-        std::array<Part, kWideBoxes> parts;
-        parts[0] = {{}, root, false};
-        std::uint32_t count = 1;
-        while (open_largest(parts, count)) {}
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const WideChild child = parts[k].item ? WideChild::item(first_item_ + parts[k].index) : WideChild::node(add(parts[k].index));
+        Parts parts;
+        parts.count = 1;
+        parts.part[0] = {{}, root, false};
+        while (open_largest(parts)) {}
+        while (take_items_of_least(parts)) {}
+        for (std::uint32_t k = 0; k < parts.count; ++k) {
+            const Part& part = parts.part[k];
+            const WideChild child = part.item ? WideChild::item(first_item_ + part.index) : WideChild::node(add(part.index));
             WideNode& node = out_[at];
             node.child[k] = child;
-            for (std::size_t i = 0; i < 3; ++i) node.side[0][i][k] = parts[k].box.lo[i], node.side[1][i][k] = parts[k].box.hi[i];
+            for (std::size_t i = 0; i < 3; ++i) node.side[0][i][k] = part.box.lo[i], node.side[1][i][k] = part.box.hi[i];
         }
-        out_[at].count = count;
+        out_[at].count = parts.count;
         return at;
     }
 
 private:
-    // Puts the children of the largest part that has room for them in its place. False: there is none.
-    bool open_largest(std::array<Part, kWideBoxes>& parts, std::uint32_t& count) const {
+    struct Parts {
+        std::array<Part, kWideBoxes> part;
+        std::uint32_t count = 0;
+    };
+
+    // Puts its two children in the place of the largest part that has more items than a node of its own takes. False: there is none, or no room.
+    bool open_largest(Parts& parts) const {
         std::uint32_t largest = kWideBoxes;
-        for (std::uint32_t k = 0; k < count; ++k)
-            if (!parts[k].item && children(parts[k].index) + count - 1 <= kWideBoxes && (largest == kWideBoxes || parts[k].area() > parts[largest].area())) largest = k;
+        for (std::uint32_t k = 0; k < parts.count && parts.count < kWideBoxes; ++k) {
+            const Part& part = parts.part[k];
+            const bool opens = !part.item && items_[part.index] > kWideBoxes && hierarchy_.nodes[part.index].count == 0;
+            if (opens && (largest == kWideBoxes || part.area() > parts.part[largest].area())) largest = k;
+        }
         if (largest == kWideBoxes) return false;
-        const BoxNode& node = hierarchy_.nodes[parts[largest].index];
-        const std::uint32_t n = children(parts[largest].index);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t index = node.first + i;
-            Part part{{}, index, node.count > 0};
-            part.box = part.item ? boxes_[index] : FloatBox{hierarchy_.nodes[index].lo, hierarchy_.nodes[index].hi};
-            parts[i == 0 ? largest : count++] = part;
+        const std::uint32_t first = hierarchy_.nodes[parts.part[largest].index].first;
+        for (const std::uint32_t index : {first, first + 1}) {
+            const FloatBox box{hierarchy_.nodes[index].lo, hierarchy_.nodes[index].hi};
+            parts.part[index == first ? largest : parts.count++] = {box, index, false};
         }
         return true;
     }
-    std::uint32_t children(std::uint32_t node) const { return hierarchy_.nodes[node].count > 0 ? hierarchy_.nodes[node].count : 2; }
+
+    // Puts its items in the place of the part that has the fewest: a node less. False: there is no room for them.
+    bool take_items_of_least(Parts& parts) const {
+        std::uint32_t least = kWideBoxes;
+        for (std::uint32_t k = 0; k < parts.count; ++k)
+            if (!parts.part[k].item && (least == kWideBoxes || items_[parts.part[k].index] < items_[parts.part[least].index])) least = k;
+        if (least == kWideBoxes) return false;
+        const std::uint32_t node = parts.part[least].index, n = items_[node];
+        if (parts.count + n - 1 > kWideBoxes) return false;
+        std::uint32_t left = node;
+        while (hierarchy_.nodes[left].count == 0) left = hierarchy_.nodes[left].first;
+        const std::uint32_t first = hierarchy_.nodes[left].first;  // the items of a subtree stand in a row
+        for (std::uint32_t i = 0; i < n; ++i) parts.part[i == 0 ? least : parts.count++] = {boxes_[first + i], first + i, true};
+        return true;
+    }
 
     const Hierarchy& hierarchy_;
     const std::vector<FloatBox>& boxes_;
     std::uint32_t first_item_;
     std::vector<WideNode>& out_;
+    std::vector<std::uint32_t> items_;  // below each node of the hierarchy
 };
 
 }  // namespace

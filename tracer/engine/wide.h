@@ -1,6 +1,7 @@
 // wide.h — the hierarchy of a wide group as single rays go through it: eight boxes a node, met by one ray together. Private to the engine.
 //
-// Made of the binary hierarchy by opening the largest children first, down to single items, so that an item is asked only where the ray meets its own box.
+// Made of the binary hierarchy by opening the largest children first, as long as they hold more items than a node has places; what holds fewer is a node of
+// its own or, where there is room, its items. So an item is asked only where the ray meets its own box.
 // Boxes are float, rounded outward, and met in double: they cull and never decide.
 // Source: Wald, Benthin, Boulos, Getting rid of packets (2008); Dammertz, Hanika, Keller, Shallow bounding volume hierarchies (2008).
 #pragma once
