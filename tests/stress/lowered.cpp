@@ -21,7 +21,7 @@ Form square(const Form& f) { return f * f; }
 // The support's polynomial, positive outside, at a point of its frame.
 class SupportForm {
 public:
-    SupportForm(const Support& support, const FormPoint& p) : s_(support), p_(p), x_{p.x, p.y, p.z}, u_((s_.axis + 1u) % 3), v_((s_.axis + 2u) % 3) {}
+    SupportForm(const Support& support, const Twist* twist, const FormPoint& p) : s_(support), twist_(twist), p_(p), x_{p.x, p.y, p.z}, u_((s_.axis + 1u) % 3), v_((s_.axis + 2u) % 3) {}
 
     Form operator()() const {
         switch (s_.kind) {
@@ -40,7 +40,10 @@ public:
             case SupportKind::kQuadric: return quadric();
             case SupportKind::kTorus: return square(core()) - Form(4.0) * square(n(3) * p_.w) * (square(from(u_, u_)) + square(from(v_, v_)));
             case SupportKind::kTorusCore: return core();
-            case SupportKind::kParabola: return parabola();
+            case SupportKind::kParabola: return parabola(x_[u_], x_[v_], p_.w);
+            case SupportKind::kTurnedSide:
+            case SupportKind::kTurnedEllipse:
+            case SupportKind::kTurnedParabola: return swept();
         }
         return {};
     }
@@ -70,10 +73,20 @@ private:
         }
         return from_centre() * length2 - square(along) - square(n(6) * p_.w) * length2;
     }
+    // Of what is scaled unevenly, not turned: the curve in x / k_x and y / k_y, times k_x k_y.
+    Form swept() const {
+        const auto scale = [&](double top) { return Form(twist_->z1 - twist_->z0) * p_.w + Form(top - 1) * (p_.z - Form(twist_->z0) * p_.w); };
+        const Form height = Form(twist_->z1 - twist_->z0), kx = scale(twist_->scale_x), ky = scale(twist_->scale_y);
+        const Form x = height * p_.x * ky, y = height * p_.y * kx, unit = kx * ky;
+        const Form u = x - n(0) * unit, v = y - n(1) * unit;
+        if (s_.kind == SupportKind::kTurnedSide) return (n(3) - n(1)) * u - (n(2) - n(0)) * v;
+        if (s_.kind == SupportKind::kTurnedParabola) return parabola(x, y, unit);
+        return square(n(5) * u - n(3) * v) + square(n(2) * v - n(4) * u) - square((n(2) * n(5) - n(3) * n(4)) * unit);
+    }
     // v^2 - 4 u w in the weights of the three points, each times the triangle's area.
-    Form parabola() const {
+    Form parabola(const Form& x, const Form& y, const Form& unit) const {
         const auto area = [](const Form& ax, const Form& ay, const Form& bx, const Form& by) { return ax * by - ay * bx; };
-        const Form ax = from(u_, 0), ay = from(v_, 1), cx = from(u_, 2), cy = from(v_, 3), bx = from(u_, 4), by = from(v_, 5);
+        const Form ax = x - n(0) * unit, ay = y - n(1) * unit, cx = x - n(2) * unit, cy = y - n(3) * unit, bx = x - n(4) * unit, by = y - n(5) * unit;
         return square(area(ax, ay, bx, by)) - Form(4.0) * area(cx, cy, bx, by) * area(ax, ay, cx, cy);
     }
     Form quadric() const {
@@ -84,6 +97,7 @@ private:
     }
 
     const Support& s_;
+    const Twist* twist_;
     const FormPoint& p_;
     const std::array<Form, 3> x_;
     const std::size_t u_, v_;
@@ -96,7 +110,7 @@ public:
         std::vector<Form> of_class;
         for (const Support& s : classes.supports) {
             bool flipped = false;
-            of_class.push_back(SupportForm(s, frames_[s.frame])());
+            of_class.push_back(SupportForm(s, formula.table.frames[s.frame].twist.get(), frames_[s.frame])());
             out_.support_of_class.push_back(out_.tree.formulas.support(of_class.back(), flipped));
         }
         for (const ClassOfSupport& c : classes.of) forms_.push_back(c.flipped ? -of_class[c.id] : of_class[c.id]);

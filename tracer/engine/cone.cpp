@@ -165,6 +165,11 @@ private:
         if (frame.motion != 0) readable_ = false;
         Side side;
         side.packed = half_space.packed;
+        if (is_turned(support.kind)) {
+            readable_ = false;
+            sides.push_back(side);
+            return sides.size() - 1;
+        }
         const auto along = [&](Vec3 off) {
             const Vec3 o = cone_.axis.origin + cone_.start * off;
             return support_polynomial(support, line_in_frame<double>(frame, {o.x, o.y, o.z}, cone_.axis.direction + cone_.spread * off));

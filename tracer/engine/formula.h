@@ -39,7 +39,7 @@ struct Occurrence {
 class SupportTable {
 public:
     SupportTable();
-    FrameId frame(const Placement& placement, MotionId motion);
+    FrameId frame(const Placement& placement, MotionId motion, const Twist* twist = nullptr);
     SupportId add(const Support& support, const Bounds& box, double rounding, double rounding_per_size);
     // Unbounded occurrences (half-spaces, quadrics) touch the solid only inside its box.
     void bound_by(const Bounds& box);

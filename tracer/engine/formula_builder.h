@@ -1,6 +1,7 @@
 // formula_builder.h — the walk from solid to formula; private to lower*.cpp.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <tuple>
 
@@ -10,6 +11,13 @@
 #include "tracer/engine/placer.h"
 
 namespace whittle {
+
+// Below an extrusion whose sides are turned: the placement of the extrusion, and one piece of its way up.
+struct Turning {
+    Chain chain;
+    Twist twist;
+    bool failed = false;  // some part of the profile could not be written
+};
 
 // Where in the tree a node stands.
 struct Site {
@@ -22,6 +30,7 @@ struct Site {
     std::array<double, 2> heights{-HUGE_VAL, HUGE_VAL};  // below an extrusion: what lies outside its ends does not matter
     const Material* material = nullptr;
     SourcePlace place;
+    Turning* turning = nullptr;  // if set, `chain` is that within the profile
 };
 
 inline constexpr std::uint32_t kNoUse = 0xFFFFFFFF;
@@ -67,6 +76,13 @@ private:
     FormulaId stretched(NodeId id, const shape::Extrusion& e, const Site& site);
     static HalfSpaceRef stretched_side(Placer& placer, const shape::Extrusion& e, Vec2 p, Vec2 q);
     bool has_straight_sides(NodeId profile) const;
+    // A profile that turns, or has curves and shrinks unevenly.
+    FormulaId turned(NodeId id, const shape::Extrusion& e, const Site& site);
+    FormulaId turned_shape(NodeId id, const Shape& shape, const Site& site);
+    FormulaId turned_rings(const std::vector<std::vector<Vec2>>& rings, const Site& site);
+    FormulaId turned_ring(const std::vector<Vec2>& ring, const Site& site);
+    // `around`: their convex hull holds the cell's section before it is turned.
+    FormulaId turned_cell(const std::vector<Vec2>& around, const Site& site, const std::function<std::vector<HalfSpaceRef>(Placer&)>& sides);
     FormulaId tapered(NodeId id, const shape::Extrusion& e, const shape::ParabolicSegment& s, const Site& site);
     // Are the facets of the shape its true surface? False for a smooth twist, and where true arcs become chords.
     bool has_flat_faces(NodeId id) const;

@@ -49,6 +49,12 @@ private:
     void place(SupportId id) {
         const Support& s = table_.supports[id];
         const Frame& frame = table_.frames[s.frame];
+        if (is_turned(s.kind)) {
+            // Told apart by their numbers alone.
+            out_.of.push_back({static_cast<ClassId>(out_.supports.size()), false});
+            out_.supports.push_back(s);
+            return;
+        }
         const WorldSurface w = world_surface(s, frame);
         const double key = key_of(w);
         const double window = kKeyRounding * (1 + std::abs(key)) + spread_;

@@ -48,14 +48,14 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
     const Event origin{0, 0, kNoClass, 0, false};
     for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
         const Event& e = changes[i].event;
-        bool certain = true;
+        std::vector<Walker::Cause> causes;
         for (next = i; next < changes.size() && (next == i || context.compare(e, changes[next].event) == 0); ++next) {
-            certain = certain && program.leaves[changes[next].leaf].exact;
+            causes.push_back({changes[next].leaf, changes[next].event});
         }
         std::uint32_t from = 0, to = 0;
         if (context.compare(e, origin) <= 0 || !divides(program, walker, e, from, to)) continue;
         interfaces.push_back(interface_at(program, context, ray, e, from, to));
-        interfaces.back().at.certified = certain;
+        interfaces.back().at.certified = walker.are_certain(causes);
     }
 }
 

@@ -190,6 +190,7 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
         site.use = static_cast<std::uint32_t>(out_.uses.size());
         out_.uses.push_back({shared(*site.material), site.place, site.subtractions > 0, site.subtractions, 0});
     }
+    if (site.turning) return turned_shape(id, shape, site);
     return std::visit(
         [&](const auto& s) -> FormulaId {
             using S = std::decay_t<decltype(s)>;
@@ -204,7 +205,7 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
                 if (s.twist_deg == 0 && s.scale_top == Vec2(1)) return operator_shape(s, site);
                 if (const auto* segment = profile_segment(s); segment && s.twist_deg == 0 && s.scale_top.x == s.scale_top.y) return tapered(id, s, *segment, site);
                 if (s.twist_deg == 0 && s.slices == 0 && has_straight_sides(s.profile)) return stretched(id, s, site);
-                return faceted(id, site);
+                return s.slices == 0 ? turned(id, s, site) : faceted(id, site);
             } else if constexpr (std::is_same_v<S, shape::Revolution>) {
                 if (s.fragments == 0) return operator_shape(s, site);
                 return faceted(id, site);

@@ -54,14 +54,16 @@ bool can_absorb(const AxisMap& map, Absorb absorb) {
 
 SupportTable::SupportTable() { frame(Placement{}, 0); }
 
-FrameId SupportTable::frame(const Placement& placement, MotionId motion) {
-    const std::uint64_t h = hash_of(placement.m, motion);
+FrameId SupportTable::frame(const Placement& placement, MotionId motion, const Twist* twist) {
+    const std::uint64_t h = hash_of(placement.m, twist ? mix(motion, std::hash<double>()(twist->from)) : motion);
+    const auto is_turned_so = [&](const Frame& f) { return twist ? f.twist && *f.twist == *twist : !f.twist; };
     const auto [from, to] = frames_by_hash_.equal_range(h);
     for (auto it = from; it != to; ++it)
-        if (frames[it->second].placement == placement && frames[it->second].motion == motion) return it->second;
+        if (frames[it->second].placement == placement && frames[it->second].motion == motion && is_turned_so(frames[it->second])) return it->second;
     const auto id = static_cast<FrameId>(frames.size());
     frames.push_back(make_frame(placement));
     frames.back().motion = motion;
+    if (twist) frames.back().twist = std::make_shared<const Twist>(*twist);
     if (motion != 0) frames.back().identity = false;
     frames_by_hash_.emplace(h, id);
     return id;
@@ -119,10 +121,10 @@ Wide reach_of_map(const AxisMap& map, double size) {
 
 }  // namespace
 
-Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb) : formula_(formula) {
+Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb, const Twist* twist) : formula_(formula) {
     const bool taken = can_absorb(chain.inner(), absorb);
     if (taken) map_ = chain.inner();
-    frame_ = formula.table.frame(taken ? chain.outer() : chain.whole(), motion);
+    frame_ = formula.table.frame(taken ? chain.outer() : chain.whole(), motion, twist);
     root_box_ = everywhere();
     double size = 0;
     for (int i = 0; i < 3; ++i)
@@ -309,6 +311,19 @@ SupportId Placer::edge_plane(int axis, Vec2 a, Vec2 b) {
 SupportId Placer::parabola(int axis, Vec2 a, Vec2 c, Vec2 b) {
     if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) std::swap(a, b);
     return add(SupportKind::kParabola, axis, {a.x, a.y, c.x, c.y, b.x, b.y}, false).support;
+}
+
+HalfSpaceRef Placer::turned_side(Vec2 a, Vec2 b) {
+    const bool turned = std::tie(b.x, b.y) < std::tie(a.x, a.y);
+    if (turned) std::swap(a, b);
+    return add(SupportKind::kTurnedSide, 2, {a.x, a.y, b.x, b.y}, turned);
+}
+
+HalfSpaceRef Placer::turned_ellipse(Vec2 centre, Vec2 u, Vec2 v) { return add(SupportKind::kTurnedEllipse, 2, {centre.x, centre.y, u.x, v.x, u.y, v.y}, false); }
+
+HalfSpaceRef Placer::turned_parabola(Vec2 a, Vec2 c, Vec2 b) {
+    if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) std::swap(a, b);
+    return add(SupportKind::kTurnedParabola, 2, {a.x, a.y, c.x, c.y, b.x, b.y}, false);
 }
 
 SupportId Placer::facet(const Vec3& a, const Vec3& b, const Vec3& c) {

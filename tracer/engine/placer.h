@@ -14,8 +14,8 @@ enum class Absorb { kAny, kUniformScale, kRigid, kExact, kNothing };
 
 class Placer {
 public:
-    // `box`: the shape's, in its own coordinates.
-    Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb);
+    // `box`: the shape's, in its own coordinates. `twist`: that of the frame; goes with kNothing.
+    Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb, const Twist* twist = nullptr);
 
     // Inside where the coordinate is at most (below) or at least `value`.
     HalfSpaceRef axis_plane(int axis, double value, bool below);
@@ -31,6 +31,11 @@ public:
     HalfSpaceRef torus_core(Vec3 centre, double major, double minor);  // about z
     SupportId edge_plane(int axis, Vec2 a, Vec2 b);
     SupportId parabola(int axis, Vec2 a, Vec2 c, Vec2 b);  // like an edge plane's, the points are the frame's
+    // In a frame with a twist, given in its profile. Inside on the left of a -> b. Requires: a != b.
+    HalfSpaceRef turned_side(Vec2 a, Vec2 b);
+    // The image of the unit disc: u and v are where its axes go.
+    HalfSpaceRef turned_ellipse(Vec2 centre, Vec2 u, Vec2 v);
+    HalfSpaceRef turned_parabola(Vec2 a, Vec2 c, Vec2 b);
     SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
     // Inside on the left of a -> b, given in the frame's coordinates axis+1, axis+2. Requires: a != b.
     HalfSpaceRef edge_side(int axis, Vec2 a, Vec2 b);

@@ -66,7 +66,7 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event&
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
     end.surface = e.id;
-    for (const Walker::Cause& c : impl.causes) end.certified = end.certified && program.leaves[c.leaf].exact;
+    end.certified = impl.walker.are_certain(impl.causes);
     if (!end.certified) ++impl.walker.context().counters().uncertified;
     end.use = shown_use(program, impl.walker, impl.causes, e, entering);
     const Support& support = program.classes[end.surface];

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "tracer/engine/turned.h"
+
 namespace whittle {
 
 void RayContext::start(const Program& program, const Ray& ray, EngineCounters& counters) {
@@ -26,6 +28,7 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
     counters_ = &counters;
     filter_ = program.makes(EnginePass::kFilter);
     exact_.clear();
+    unsettled_.clear();
     root_ = ray_in_frame(program.frames[0], ray_);
     slab_ = slab_ray(root_.o, root_.d);
     has_towards_ = false;
@@ -61,7 +64,10 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
         } else {
             // Rays of one sample share its time: the inverse of the same placement is kept.
             const Placement now = whole_motion(program_->motions, f.motion, ray_.time) * f.placement;
-            if (!same_bits(moved_[id].placement, now)) moved_[id] = make_frame(now);
+            if (!same_bits(moved_[id].placement, now)) {
+                moved_[id] = make_frame(now);
+                moved_[id].twist = f.twist;
+            }
             frame_rays_[id] = ray_in_frame(moved_[id], ray_);
         }
     }
@@ -77,6 +83,14 @@ bool RayContext::leaves(ClassId id) const {
 
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
     const FrameRay& local = frame_ray(s.frame);
+    if (whittle::is_turned(s.kind)) {
+        if (filtered_turned(s, frame(s.frame), local, leaves(id), out)) return;
+        ++counters_->escalated_double_double;
+        if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
+        if (!unsettled(id)) unsettled_.push_back(id);
+        unsettled_turned(s, frame(s.frame), ray_, leaves(id), out);
+        return;
+    }
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
     if (decided || !kCertifies) return;
     ++counters_->escalated_double_double;
@@ -118,6 +132,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
         return true;
     }
     const Support& s = program_->classes[e.id];
+    if (whittle::is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
     return fine_crossing(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
 }
 
@@ -146,6 +161,8 @@ exact::RealRoot place(double t) {
 
 int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
+    // There is no exact form of a turned side: what double-double cannot tell apart is one place.
+    if (is_turned(a) || is_turned(b)) return 0;
     ++counters_->escalated_exact;
     if (a.id == kNoClass) return -compare_exactly(b, a);
     const exact::RealRoot first = exact(a.id).roots[a.index];

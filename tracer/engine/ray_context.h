@@ -4,6 +4,7 @@
 // double-double; where that cannot tell either, exactly. docs/numerics.md, order.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -56,6 +57,9 @@ public:
         return compare_closely(a, b);
     }
 
+    // Is this a turned side whose crossings neither double nor double-double could settle? Not certain before it was asked for.
+    bool unsettled(ClassId id) const { return std::find(unsettled_.begin(), unsettled_.end(), id) != unsettled_.end(); }
+
     EngineCounters& counters() { return *counters_; }
     FacetSearch& facet_search() { return facet_search_; }
 
@@ -67,6 +71,7 @@ private:
     };
 
     bool leaves(ClassId id) const;
+    bool is_turned(const Event& e) const { return e.id != kNoClass && whittle::is_turned(program_->classes[e.id].kind); }
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
     int compare_closely(const Event& a, const Event& b);
@@ -79,6 +84,7 @@ private:
     FrameRay root_;
     single::RoundDirection<double, 3> towards_;  // of the root's direction; made when first asked for
     bool has_towards_ = false;
+    std::vector<ClassId> unsettled_;  // seldom any
     SlabRay slab_;
     bool filter_ = true;             // EnginePass
     std::array<bool, 3> regular_{};  // the direction's coordinate has a finite, normal inverse

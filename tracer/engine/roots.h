@@ -25,7 +25,8 @@ FrameRay ray_in_frame(const Frame& frame, const Ray& ray);
 
 // Where the support's sign changes along the whole line, ascending. `first_sign`: its sign before the first change (1 outside, -1 inside).
 struct Crossings {
-    std::array<double, 4> t, error;
+    static constexpr int kMost = 8;  // polynomials have at most four, turned sides of a piece of a twist hardly more
+    std::array<double, kMost> t, error;
     std::int8_t count = 0;
     std::int8_t first_sign = 1;
 };

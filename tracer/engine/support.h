@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "csg/base/vec.h"
@@ -17,10 +18,19 @@ namespace whittle {
 
 using FrameId = std::uint32_t;
 
+// How the third axis of a frame turns and scales what is swept along it: the profile at z0, turned by `degrees` clockwise and scaled on its way to z1, both
+// linear in z. Only the heights [from, to] and what is nearer than `reach` to the axis matter to the sides in the frame.
+struct Twist {
+    double z0 = 0, z1 = 1, degrees = 0, scale_x = 1, scale_y = 1;
+    double from = 0, to = 1, reach = 1;
+    bool operator==(const Twist&) const = default;
+};
+
 // A placement shared by many supports. `inverse` rows are the inverse of the linear part, each entry within
 // a unit of roundoff and 2^-64 of itself: a filter only, it never decides.
 struct Frame {
     Placement placement;
+    std::shared_ptr<const Twist> twist;  // of turned sides: null for all others
     std::array<double, 9> inverse{1, 0, 0, 0, 1, 0, 0, 0, 1};
     MotionId motion = 0;  // the placement is then the one inside the motion; the whole one depends on the time
     bool identity = true;
@@ -46,7 +56,11 @@ enum class SupportKind : std::uint8_t {
     kQuadric,     // the ten coefficients of shape::Quadric
     kTorus,       // centre p0-2, about the axis, radii p3 (ring), p4 (tube); both sheets
     kTorusCore,   // of the same torus: rho^2 + z^2 + R^2 - r^2
-    kParabola     // parallel to the axis, the quadratic Bezier curve from p0-1 to p4-5 with control point p2-3 in axis+1, axis+2
+    kParabola,    // parallel to the axis, the quadratic Bezier curve from p0-1 to p4-5 with control point p2-3 in axis+1, axis+2
+    // Swept along the third axis of a frame with a twist (turned.h), given in the profile: not polynomials on a ray.
+    kTurnedSide,     // the line through (p0,p1) and (p2,p3), inside on the left
+    kTurnedEllipse,  // centre p0-1, the image of the unit disc under the matrix p2 p3 / p4 p5
+    kTurnedParabola  // from p0-1 to p4-5 with control point p2-3
 };
 
 struct Support {
@@ -59,8 +73,10 @@ struct Support {
 
 inline bool is_plane(SupportKind k) { return k <= SupportKind::kEdgePlane; }
 
-// Degree of the support's polynomial on a ray: 1, 2 or 4.
-inline int degree_of(SupportKind k) { return is_plane(k) ? 1 : k == SupportKind::kTorus ? 4 : 2; }
+inline bool is_turned(SupportKind k) { return k >= SupportKind::kTurnedSide; }
+
+// Degree of the support's polynomial on a ray: 1, 2 or 4; 0 where it is none.
+inline int degree_of(SupportKind k) { return is_turned(k) ? 0 : is_plane(k) ? 1 : k == SupportKind::kTorus ? 4 : 2; }
 
 // A ray in a frame, homogeneous: local point = (o + t d) / w, with w > 0.
 template <class N>
@@ -281,7 +297,7 @@ LinePolynomial<N> torus(const Support& s, const FrameLine<N>& l) {
 
 }  // namespace polynomial
 
-// The support's polynomial along a line given in its frame.
+// The support's polynomial along a line given in its frame. Requires: it has one.
 template <class N>
 LinePolynomial<N> support_polynomial(const Support& s, const FrameLine<N>& line) {
     if (is_plane(s.kind)) return polynomial::of(polynomial::plane(s, line));

@@ -374,4 +374,24 @@ void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
     for (std::uint32_t i = 0; i < c.count; ++i) out.push_back({events_[c.first + i], ref.index()});
 }
 
+bool Walker::are_certain(const std::vector<Cause>& causes) const {
+    const Program& program = context_.program();
+    const auto is_turned_side = [&](ClassId id) { return is_turned(program.classes[id].kind); };
+    for (const Cause& c : causes) {
+        const Leaf& leaf = program.leaves[c.leaf];
+        if (!leaf.exact) return false;
+        if (leaf.kind != FormulaKind::kCell) continue;
+        // Turned sides stand last.
+        for (std::uint32_t k = leaf.count; k-- > 0;) {
+            const ClassId id = program.half_spaces[leaf.first + k].id();
+            if (!is_turned_side(id)) break;
+            if (context_.unsettled(id)) return false;
+        }
+        if (!is_turned_side(c.event.id)) continue;
+        for (const Cause& other : causes)
+            if (other.event.id != c.event.id) return false;
+    }
+    return true;
+}
+
 }  // namespace whittle

@@ -45,6 +45,9 @@ public:
     void causes(Ref ref, const Event& at, std::vector<Cause>& out);
     // The same by asking every leaf met so far: for a ray whose rounded origin misses a box by the rounding of its departure.
     void causes_among_met(const Event& at, std::vector<Cause>& out);
+    // Do causes of one border come from true surfaces, and lie where it is said? Not those that meet a turned side in one place: that is as far as
+    // double-double sees.
+    bool are_certain(const std::vector<Cause>& causes) const;
     // The one leaf that changes at an event that was found on this ray. False: another one does too, or the program is not flat.
     bool sole_cause(const Event& at, Cause& cause);
     // Whose matter fills the place: of the uses that hold it and are not subtracted the first by Program::matter_order; kNoLeafUse if there is none.

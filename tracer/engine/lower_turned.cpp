@@ -1,0 +1,163 @@
+// lower_turned.cpp — profiles that turn, or shrink unevenly, on their way up: each side sweeps a true helical or ruled surface.
+//
+// At each height the section is the turned and scaled profile, so the formula of the profile holds with each side's swept surface in its place. The way up is cut
+// into pieces of at most 45 degrees between planes, which makes boxes tight and crossings few. A polygon that is not convex is cut into triangles; the cuts
+// are swept sides too, shared by the two cells that meet there, so that no border is left.
+#include <algorithm>
+
+#include "csg/base/degrees.h"
+#include "csg/solid/ear_clipping.h"
+#include "csg/solid/predicates.h"
+#include "csg/solid/profile.h"
+#include "tracer/engine/formula_builder.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr double kMostDegrees = 45;        // of a piece
+constexpr double kMostPieces = 1 << 14;
+constexpr double kOutward = 1 + 0x1p-30;   // of boxes and reaches: far over what rounds them
+
+Vec2 flat_image(const Placement& m, Vec2 p) {
+    return {m.linear(0, 0) * p.x + m.linear(0, 1) * p.y + m.offset(0), m.linear(1, 0) * p.x + m.linear(1, 1) * p.y + m.offset(1)};
+}
+
+bool is_convex(const std::vector<Vec2>& ring) {
+    const std::size_t n = ring.size();
+    int changes = 0;
+    const auto rises = [&](std::size_t i) { return ring[i % n].x < ring[(i + 1) % n].x || (ring[i % n].x == ring[(i + 1) % n].x && ring[i % n].y < ring[(i + 1) % n].y); };
+    for (std::size_t i = 0; i < n; ++i) {
+        if (turn_of(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) <= 0) return false;
+        changes += rises(i) != rises(i + 1);
+    }
+    return n >= 3 && changes == 2;
+}
+
+void include(Bounds& box, const Vec3& p) { box = box.empty() ? Bounds{p, p} : Bounds{glm::min(box.lo, p), glm::max(box.hi, p)}; }
+
+// The farthest that a scale, linear over the piece, is from 0 and the nearest.
+Vec2 scales_at(const Twist& w, double z) {
+    const double share = (z - w.z0) / (w.z1 - w.z0);
+    return {1 + (w.scale_x - 1) * share, 1 + (w.scale_y - 1) * share};
+}
+
+// Around the paths of the points over the piece: an arc is within its chord's box grown by its rise, and scales are largest and least at the ends.
+Bounds swept_box(const Twist& w, const std::vector<Vec2>& points) {
+    const double first = w.degrees * (w.from - w.z0) / (w.z1 - w.z0), last = w.degrees * (w.to - w.z0) / (w.z1 - w.z0);
+    const double half = (last - first) * 0.5, rise = std::abs(half) < 90 ? 1 - cosd(half) : 2;
+    const Vec2 low = scales_at(w, w.from), high = scales_at(w, w.to);
+    Bounds box;
+    for (const Vec2& p : points) {
+        const double r = glm::length(p) * rise;
+        Vec2 lo(HUGE_VAL), hi(-HUGE_VAL);
+        for (const double a : {first, last}) {
+            const Vec2 q(cosd(a) * p.x + sind(a) * p.y, cosd(a) * p.y - sind(a) * p.x);
+            lo = glm::min(lo, q - r);
+            hi = glm::max(hi, q + r);
+        }
+        for (const Vec2& k : {low, high})
+            for (const Vec2& q : {lo * k, hi * k}) {
+                include(box, Vec3(q, w.from));
+                include(box, Vec3(q, w.to));
+            }
+    }
+    const Vec3 size = box.hi - box.lo;
+    const double room = (kOutward - 1) * (w.reach + std::max({size.x, size.y, size.z}));
+    box.lo -= room;
+    box.hi += room;
+    return box;
+}
+
+}  // namespace
+
+FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Site& site) {
+    const Bounds &flat = solid_.bounds(e.profile), &whole = solid_.bounds(id);
+    const Vec2 far = glm::max(glm::abs(Vec2(flat.lo)), glm::abs(Vec2(flat.hi)));
+    Twist twist{e.z0, e.z1, e.twist_deg, e.scale_top.x, e.scale_top.y, e.z0, e.z1, 0};
+    twist.reach = glm::length(far) * std::max({1.0, e.scale_top.x, e.scale_top.y}) * kOutward;
+    const int pieces = static_cast<int>(std::clamp(std::ceil(std::abs(e.twist_deg) / kMostDegrees), 1.0, kMostPieces));
+    std::vector<FormulaId> parts;
+    for (int i = 0; i < pieces; ++i) {
+        const auto height = [&](int k) { return k == 0 ? e.z0 : k == pieces ? e.z1 : e.z0 + (e.z1 - e.z0) * k / pieces; };
+        twist.from = height(i);
+        twist.to = height(i + 1);
+        if (!(twist.from < twist.to)) return faceted(id, site);
+        Turning turning{site.chain, twist, false};
+        Placer p(out_, site.chain, site.motion, {Vec3(whole.lo.x, whole.lo.y, twist.from), Vec3(whole.hi.x, whole.hi.y, twist.to)}, Absorb::kAny);
+        const FormulaId ends = cell({p.axis_plane(2, twist.from, false), p.axis_plane(2, twist.to, true)}, p.root_box(), site);
+        Site within = site;
+        within.chain = Chain();
+        within.turning = &turning;
+        parts.push_back(all_of({ends, node(e.profile, within)}, site));
+        if (turning.failed) return faceted(id, site);
+    }
+    return any_of(std::move(parts), site);
+}
+
+FormulaId FormulaBuilder::turned_cell(const std::vector<Vec2>& around, const Site& site, const std::function<std::vector<HalfSpaceRef>(Placer&)>& sides) {
+    Placer p(out_, site.turning->chain, site.motion, swept_box(site.turning->twist, around), Absorb::kNothing, &site.turning->twist);
+    return cell(sides(p), p.root_box(), site);
+}
+
+FormulaId FormulaBuilder::turned_ring(const std::vector<Vec2>& ring, const Site& site) {
+    return turned_cell(ring, site, [&](Placer& p) {
+        std::vector<HalfSpaceRef> sides;
+        for (std::size_t i = 0; i < ring.size(); ++i) sides.push_back(p.turned_side(ring[i], ring[(i + 1) % ring.size()]));
+        return sides;
+    });
+}
+
+// Rings that do not cross: outer ones counter-clockwise.
+FormulaId FormulaBuilder::turned_rings(const std::vector<std::vector<Vec2>>& rings, const Site& site) {
+    if (rings.empty()) return constant(site.negated);
+    if (rings.size() == 1 && is_convex(rings[0])) return turned_ring(rings[0], site);
+    std::vector<Vec2> points;
+    std::vector<std::vector<std::uint32_t>> indices;
+    for (const auto& ring : rings) {
+        auto& into = indices.emplace_back();
+        for (const Vec2& p : ring) into.push_back(static_cast<std::uint32_t>(points.size())), points.push_back(p);
+    }
+    const auto triangles = ear_clipped(points, indices);
+    if (!triangles) {
+        site.turning->failed = true;
+        return constant(site.negated);
+    }
+    std::vector<FormulaId> cells;
+    for (const auto& t : *triangles)
+        if (turn_of(points[t[0]], points[t[1]], points[t[2]]) > 0) cells.push_back(turned_ring({points[t[0]], points[t[1]], points[t[2]]}, site));
+    return any_of(std::move(cells), site);
+}
+
+FormulaId FormulaBuilder::turned_shape(NodeId id, const Shape& shape, const Site& site) {
+    const Placement map = site.chain.whole();
+    const auto at = [&](Vec2 p) { return flat_image(map, p); };
+    if (const auto* disc = std::get_if<shape::Disc>(&shape)) {
+        const Vec2 centre = at(Vec2(0)), u(map.linear(0, 0) * disc->r, map.linear(1, 0) * disc->r), v(map.linear(0, 1) * disc->r, map.linear(1, 1) * disc->r);
+        return turned_cell({centre - u - v, centre + u - v, centre + u + v, centre - u + v}, site,
+                           [&](Placer& p) { return std::vector<HalfSpaceRef>{p.turned_ellipse(centre, u, v)}; });
+    }
+    if (const auto* arc = std::get_if<shape::ParabolicSegment>(&shape)) {
+        const Vec2 a = at(arc->a), c = at(arc->c), b = at(arc->b);
+        const int turn = turn_of(a, c, b);
+        if (turn == 0) return constant(site.negated);
+        return turned_cell({a, c, b}, site, [&](Placer& p) {
+            return std::vector<HalfSpaceRef>{turn < 0 ? p.turned_side(a, b) : p.turned_side(b, a), p.turned_parabola(a, c, b)};
+        });
+    }
+    std::vector<std::vector<Vec2>> rings;
+    if (const auto* r = std::get_if<shape::Rectangle>(&shape)) {
+        rings = {{r->lo, Vec2(r->hi.x, r->lo.y), r->hi, Vec2(r->lo.x, r->hi.y)}};
+    } else {
+        const Bounds& flat = solid_.bounds(id);
+        rings = contours_of(solid_, id, kProfileTolerance * glm::length(flat.hi - flat.lo));
+    }
+    const bool mirrored = map.linear(0, 0) * map.linear(1, 1) - map.linear(0, 1) * map.linear(1, 0) < 0;
+    for (auto& ring : rings) {
+        for (Vec2& p : ring) p = at(p);
+        if (mirrored) std::reverse(ring.begin(), ring.end());
+    }
+    return turned_rings(rings, site);
+}
+
+}  // namespace whittle

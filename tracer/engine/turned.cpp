@@ -1,0 +1,364 @@
+// turned.cpp — isolation by bounds of the second derivative, Newton's method, certificates by signs.
+//
+// Source: Moore, Interval Analysis (1966), the mean value forms; Kalra and Barr, Guaranteed Ray Intersections with Implicit Surfaces (1989), whose bounds of
+// f and f' isolate roots likewise.
+#include "tracer/engine/turned.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "csg/span/perturbation.h"
+#include "tracer/engine/turned_function.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr double kMargin = 0x1p-10;  // by which the window is larger than the piece, as a share of its size
+constexpr double kPlain = 0x1p-14;   // entering the frame must round less than this share
+constexpr double kRoom = 1 + 0x1p-40;
+
+Near half_pi(const Near&) { return Near::within(0x1.921fb54442d18p+0, 0x1.2p-54); }
+Bounded half_pi(const Bounded&) { return Bounded::about(0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, 0x1p-107); }
+
+// Sine and cosine of what is at most pi/4 by their series.
+template <std::size_t terms>
+double series(double square, const std::array<double, terms>& k) {
+    double sum = k[terms - 1];
+    for (std::size_t i = terms - 1; i-- > 0;) sum = sum * square + k[i];
+    return sum;
+}
+
+void small_angle(const Near& r, Near& cosine, Near& sine) {
+    constexpr std::array<double, 8> kSine{-1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+    constexpr std::array<double, 9> kCosine{-1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000,
+                                            -1.0 / 6402373705728000};
+    const double x = r.high(), q = x * x;
+    // The series end below 2^-62; its roundings are under two units.
+    const double error = r.error() + (x == 0 ? 0 : 0x1p-51);
+    cosine = Near::within(1 + q * series(q, kCosine), error);
+    sine = Near::within(x + x * q * series(q, kSine), error);
+}
+
+void small_angle(const Bounded& r, Bounded& cosine, Bounded& sine) {
+    constexpr int kTerms = 34;  // (pi/4)^35 / 35! < 2^-145
+    const Bounded q = without_error(r) * without_error(r);
+    Bounded even(1.0), odd = without_error(r);
+    cosine = even;
+    sine = odd;
+    for (int n = 2; n < kTerms; n += 2) {
+        even = -(even * q) / Bounded(static_cast<double>(n * (n - 1)));
+        odd = -(odd * q) / Bounded(static_cast<double>(n * (n + 1)));
+        cosine = cosine + even;
+        sine = sine + odd;
+    }
+    const double rest = r.is_zero() ? 0 : r.error() + 0x1p-130;
+    cosine = Bounded::about(cosine.high(), cosine.low(), cosine.error() + rest);
+    sine = Bounded::about(sine.high(), sine.low(), sine.error() + rest);
+}
+
+// False: the angle is out of all proportion.
+template <class N>
+bool turn(const N& angle, N& cosine, N& sine) {
+    constexpr double kMostQuarters = 0x1p30;
+    const double quarters = std::nearbyint(angle.high() / 0x1.921fb54442d18p+0);
+    if (!(std::abs(quarters) < kMostQuarters)) return false;
+    N rest = angle;
+    if (quarters != 0) {
+        // Exact but for the last places: double has the quarter turn in two parts.
+        if constexpr (std::is_same_v<N, Near>) {
+            const double first = std::fma(-quarters, 0x1.921fb54442d18p+0, angle.high()), second = std::fma(-quarters, 0x1.1a62633145c07p-54, first);
+            rest = Near::within(second, angle.error() + 0x1p-52 * std::abs(second) + 0x1p-105 * std::abs(quarters));
+        } else {
+            rest = angle - N(quarters) * half_pi(angle);
+        }
+    }
+    if (!(std::abs(rest.high()) < 0.8) || !(rest.error() < 0x1p-8)) return false;
+    N c, s;
+    small_angle(rest, c, s);
+    switch (static_cast<long long>(quarters) & 3) {
+        case 0: cosine = c, sine = s; break;
+        case 1: cosine = -s, sine = c; break;
+        case 2: cosine = -c, sine = -s; break;
+        default: cosine = s, sine = -c; break;
+    }
+    return true;
+}
+
+// The part of the ray that can matter: a little more than what lies in the piece's cylinder. The same for all sides of a piece, so that beyond it the formula
+// keeps the value it has at its ends, which is outside.
+struct Window {
+    double from = 0, to = 0;
+};
+
+// False: entering the frame rounds too much.
+bool window_of(const Twist& w, const FrameRay& ray, Window& out) {
+    const double height = w.to - w.from, room = kMargin * height, reach = w.reach * (1 + kMargin);
+    const double dd = ray.d[0] * ray.d[0] + ray.d[1] * ray.d[1];
+    double from = -HUGE_VAL, to = HUGE_VAL, elsewhere = 0;
+    if (dd > 0) {
+        const double closest = -(ray.o[0] * ray.d[0] + ray.o[1] * ray.d[1]) / dd;
+        const double x = ray.o[0] + closest * ray.d[0], y = ray.o[1] + closest * ray.d[1], rest = reach * reach - (x * x + y * y);
+        if (!std::isfinite(x + y)) return false;
+        const double half = rest < 0 ? -1 : std::sqrt(rest / dd);
+        from = closest - half;
+        to = closest + half;
+        elsewhere = closest;
+    } else if (std::hypot(ray.o[0], ray.o[1]) > reach) {
+        to = -HUGE_VAL;
+    }
+    if (ray.d[2] != 0) {
+        const double a = (w.from - room - ray.o[2]) / ray.d[2], b = (w.to + room - ray.o[2]) / ray.d[2];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+        elsewhere = a + 0.3819660113 * (b - a);
+    } else if (ray.o[2] < w.from - room || ray.o[2] > w.to + room) {
+        to = -HUGE_VAL;
+    }
+    // Where the piece's heights are out of its reach, any of them is outside; no symmetry favours this one.
+    if (!(from < to)) from = to = elsewhere;
+    if (!std::isfinite(from) || !std::isfinite(to)) return false;
+    const double far = std::max(std::abs(from), std::abs(to));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double size = i == 2 ? height : w.reach;
+        const double rounding = ray.eo[i] + far * ray.ed[i] + 4 * kUnitRoundoff * (std::abs(ray.o[i]) + far * std::abs(ray.d[i]));
+        if (!(rounding < kPlain * size)) return false;
+    }
+    out = {from, to};
+    return true;
+}
+
+template <class N>
+struct TurnedRoots {
+    std::array<N, Crossings::kMost> t;
+    int count = 0, first_sign = 1;
+};
+
+// One side on one line of its frame.
+template <class N>
+class TurnedLine {
+public:
+    TurnedLine(const Support& support, const Twist& twist, const std::array<N, 3>& o, const std::array<N, 3>& d) : support_(support), twist_(twist), o_(o), d_(d) {
+        if (twist.degrees != 0) rate_ = N(twist.degrees) * half_pi(N()) / (N(90.0) * (N(twist.z1) - N(twist.z0)));
+    }
+
+    Along<N> at(const N& t) const {
+        std::array<Along<N>, 3> x;
+        for (std::size_t i = 0; i < 3; ++i) x[i] = {o_[i] + t * d_[i], d_[i]};
+        Along<N> cosine(N(1.0)), sine(N(0.0));
+        if (twist_.degrees != 0) {
+            N c, s;
+            if (!turn<N>(rate_ * (x[2].v - N(twist_.z0)), c, s)) return {N(0.0), N(0.0)};
+            const N speed = rate_ * d_[2];
+            cosine = {c, -(s * speed)};
+            sine = {s, c * speed};
+        }
+        Along<N> r = turned::function(support_, twist_, x, cosine, sine);
+        if (leaving_) r.v = r.v - constant_;
+        return r;
+    }
+
+    // `leaving`: t = 0 is a root.
+    bool roots(const Window& window, bool leaving, TurnedRoots<N>& out) {
+        leaving_ = leaving && window.from < 0 && window.to > 0;
+        if (leaving_) {
+            leaving_ = false;
+            constant_ = at(N(0.0)).v;
+            leaving_ = true;
+        }
+        const int before = sign_at(window.from);
+        if (before == 0) return false;
+        out.first_sign = before;
+        out.count = 0;
+        if (!(window.from < window.to)) return true;
+        const int behind = sign_at(window.to);
+        if (behind == 0) return false;
+        curve_ = steepest(window);
+        least_ = (window.to - window.from) * kLeast;
+        return std::isfinite(curve_) && isolate(window.from, window.to, before, behind, out);
+    }
+
+private:
+    static constexpr double kLeast = std::is_same_v<N, Near> ? 0x1p-36 : 0x1p-90;
+
+    int sign_at(double t) const {
+        const N v = at(N(t)).v;
+        return v.is_certain() ? v.sign() : 0;
+    }
+
+    // A bound of the second derivative over the window.
+    double steepest(const Window& window) const {
+        const double far = std::max(std::abs(window.from), std::abs(window.to));
+        std::array<Steepness, 3> x;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double d = std::abs(d_[i].high()) + d_[i].error();
+            const double o = i == 2 ? std::max(std::abs(twist_.from), std::abs(twist_.to)) + (twist_.to - twist_.from) : 2 * twist_.reach;
+            x[i] = {Size(std::min(o, std::abs(o_[i].high()) + o_[i].error() + far * d)), Size(d), Size(0)};
+        }
+        const double speed = (std::abs(rate_.high()) + rate_.error()) * x[2].s.v;
+        const Steepness round{Size(1), Size(speed), Size(speed * speed)};
+        return turned::function(support_, twist_, x, round, round).c.v * kRoom;
+    }
+
+    bool isolate(double lo, double hi, int at_lo, int at_hi, TurnedRoots<N>& out) {
+        const double middle = lo + 0.5 * (hi - lo), r = std::max(hi - middle, middle - lo) * kRoom;
+        const Along<N> f = at(N(middle));
+        const double bend = curve_ * r, value = std::abs(f.v.high()) * (1 - 0x1p-40) - f.v.error(), slope = std::abs(f.s.high()) * (1 - 0x1p-40) - f.s.error();
+        const bool holds_origin = leaving_ && lo < 0 && hi > 0;
+        if (!holds_origin && value > ((std::abs(f.s.high()) + f.s.error()) * r + 0.5 * bend * r) * kRoom) return true;
+        if (slope > bend * kRoom) {
+            if (at_lo == at_hi) return !holds_origin;
+            if (out.count == Crossings::kMost) return false;
+            N& root = out.t[static_cast<std::size_t>(out.count++)];
+            if (holds_origin) {
+                root = N(0.0);
+                return true;
+            }
+            return refine(lo, hi, at_lo, root);
+        }
+        if (hi - lo < least_) return false;
+        for (const double share : {0.5, 0.4375, 0.59375, 0.34375, 0.703125}) {
+            const double cut = lo + share * (hi - lo);
+            if (!(cut > lo && cut < hi)) return false;
+            const int sign = sign_at(cut);
+            if (sign != 0) return isolate(lo, cut, at_lo, sign, out) && isolate(cut, hi, sign, at_hi, out);
+        }
+        return false;
+    }
+
+    // The root between, where the function is monotone and has certain signs at the ends.
+    bool refine(double lo, double hi, int at_lo, N& root) const {
+        double a = lo, b = hi;
+        N t(lo + 0.5 * (hi - lo));
+        Along<N> f;
+        for (int i = 0; i < 80; ++i) {
+            f = at(t);
+            if (!f.v.is_certain() || f.v.is_zero() || f.s.high() == 0) break;
+            (f.v.sign() == at_lo ? a : b) = t.high();
+            const N step = without_error(f.v) / without_error(f.s);
+            const N next = without_error(t - step);
+            if (!(next.high() > a && next.high() < b)) {
+                const double middle = a + 0.5 * (b - a);
+                if (!(middle > a && middle < b)) break;
+                t = N(middle);
+                continue;
+            }
+            t = next;
+            if (std::abs(step.high()) <= 2 * N::kUnit * std::abs(t.high())) break;
+        }
+        f = at(t);
+        double error = (2 * (std::abs(f.v.high()) + f.v.error()) / std::abs(f.s.high()) + 2 * N::kUnit * std::abs(t.high())) * kRoom;
+        for (int i = 0; i < 24 && std::isfinite(error); ++i, error *= 2) {
+            if (sign_beside(t - N(error), lo, hi, at_lo) == at_lo && sign_beside(t + N(error), lo, hi, at_lo) == -at_lo) {
+                root = N::about(t.high(), t.low(), error * kRoom + 2 * N::kUnit * std::abs(t.high()));
+                return true;
+            }
+        }
+        return false;
+    }
+
+    int sign_beside(const N& t, double lo, double hi, int at_lo) const {
+        if (t.high() <= lo) return at_lo;
+        if (t.high() >= hi) return -at_lo;
+        const N v = at(t).v;
+        return v.is_certain() ? v.sign() : 0;
+    }
+
+    const Support& support_;
+    const Twist& twist_;
+    std::array<N, 3> o_, d_;
+    N rate_{0.0}, constant_{0.0};
+    bool leaving_ = false;
+    double curve_ = 0, least_ = 0;
+};
+
+bool fine_line(const Frame& frame, const std::array<Bounded, 3>& origin, const Vec3& direction, std::array<Bounded, 3>& o, std::array<Bounded, 3>& d) {
+    const FrameLine<Bounded> line = line_in_frame<Bounded>(frame, origin, direction);
+    if (!line.w.is_certain() || line.w.sign() <= 0) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        o[i] = frame.identity ? line.o[i] : line.o[i] / line.w;
+        d[i] = frame.identity ? line.d[i] : line.d[i] / line.w;
+    }
+    return true;
+}
+
+// `moved`: by that many times the vectors of the perturbation.
+bool fine_roots(const Support& support, const Frame& frame, const Ray& ray, bool leaving, double moved, TurnedRoots<Bounded>& roots) {
+    Window window;
+    if (!window_of(*frame.twist, ray_in_frame(frame, ray), window)) return false;
+    std::array<Bounded, 3> origin, o, d;
+    for (int i = 0; i < 3; ++i) origin[static_cast<std::size_t>(i)] = Bounded(ray.origin[i]) + Bounded(moved * kPerturbation[0][i]);
+    if (!fine_line(frame, origin, ray.direction, o, d)) return false;
+    return TurnedLine<Bounded>(support, *frame.twist, o, d).roots(window, leaving, roots);
+}
+
+bool as_crossings(const TurnedRoots<Bounded>& roots, Crossings& out) {
+    out.first_sign = static_cast<std::int8_t>(roots.first_sign);
+    out.count = static_cast<std::int8_t>(roots.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(roots.count); ++i) {
+        const Bounded& t = roots.t[i];
+        out.t[i] = t.high();
+        out.error[i] = t.is_zero() ? 0 : t.error() + kUnitRoundoff * std::abs(t.high()) * kRoom;
+        if (!std::isfinite(t.high()) || !std::isfinite(out.error[i])) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out) {
+    Window window;
+    if (!window_of(*frame.twist, ray, window)) return false;
+    std::array<Near, 3> o, d;
+    for (std::size_t i = 0; i < 3; ++i) {
+        o[i] = Near::within(ray.o[i], ray.eo[i]);
+        d[i] = Near::within(ray.d[i], ray.ed[i]);
+    }
+    TurnedRoots<Near> roots;
+    if (!TurnedLine<Near>(support, *frame.twist, o, d).roots(window, leaving, roots)) return false;
+    out.first_sign = static_cast<std::int8_t>(roots.first_sign);
+    out.count = static_cast<std::int8_t>(roots.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(roots.count); ++i) {
+        out.t[i] = roots.t[i].high();
+        out.error[i] = roots.t[i].error();
+    }
+    return true;
+}
+
+bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
+    TurnedRoots<Bounded> roots;
+    return fine_roots(support, frame, ray, leaving, 0, roots) && as_crossings(roots, out);
+}
+
+bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, int index, double& high, double& low, double& error) {
+    TurnedRoots<Bounded> roots;
+    if (!fine_roots(support, frame, ray, leaving, 0, roots) || index >= roots.count) return false;
+    const Bounded& t = roots.t[static_cast<std::size_t>(index)];
+    high = t.high();
+    low = t.low();
+    error = t.error();
+    return std::isfinite(high) && std::isfinite(error);
+}
+
+void unsettled_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
+    double size = frame.twist->reach + (frame.twist->to - frame.twist->from);
+    for (int i = 0; i < 3; ++i) size = std::max(size, std::abs(ray.origin[i]) * 0x1p-20);
+    TurnedRoots<Bounded> roots;
+    for (const double share : {0x1p-50, 0x1p-44, 0x1p-38, 0x1p-32})
+        if (fine_roots(support, frame, ray, leaving, share * size, roots) && as_crossings(roots, out)) return;
+    out.count = 0;
+    out.first_sign = 1;
+}
+
+Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& point) {
+    Vec3 n;
+    for (int i = 0; i < 3; ++i) {
+        std::array<Near, 3> d;
+        d[static_cast<std::size_t>(i)] = Near(1.0);
+        n[i] = TurnedLine<Near>(support, twist, {Near(point.x), Near(point.y), Near(point.z)}, d).at(Near(0.0)).s.high();
+    }
+    return n;
+}
+
+}  // namespace whittle

@@ -1,0 +1,29 @@
+// turned.h — crossings of a ray with a turned side: the surface that a curve of a profile sweeps while it is turned and scaled on its way up.
+//
+// On a ray its function is a polynomial in t and in the sine and cosine of an angle linear in t. It has no exact form; but a double t can be certified: by
+// interval bounds no sign change lies elsewhere, and the function's sign differs for certain a little before t and a little behind it. What neither double
+// nor double-double settles is answered for a ray moved by 2^-40 of the size, and said to be uncertified. docs/numerics.md.
+#pragma once
+
+#include "tracer/engine/roots.h"
+
+namespace whittle {
+
+// Requires of all: is_turned(support.kind), and the frame is the support's.
+
+// False: double cannot tell.
+bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out);
+
+// In double-double. False: not decidable.
+bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
+
+// One crossing's t in double-double, high + low. False: not decidable.
+bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, int index, double& high, double& low, double& error);
+
+// Of a ray moved a little, by the rule of csg/span/perturbation.h but not without end: an answer, not a certificate.
+void unsettled_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
+
+// The function's gradient at a point of the frame.
+Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& point);
+
+}  // namespace whittle
