@@ -79,6 +79,8 @@ private:
     // A profile that turns, or has curves and shrinks unevenly.
     FormulaId turned(NodeId id, const shape::Extrusion& e, const Site& site);
     FormulaId turned_shape(NodeId id, const Shape& shape, const Site& site);
+    // A set of straight sides.
+    FormulaId turned_polygons(NodeId id, const Site& site);
     FormulaId turned_rings(const std::vector<std::vector<Vec2>>& rings, const Site& site);
     FormulaId turned_ring(const std::vector<Vec2>& ring, const Site& site);
     // `around`: their convex hull holds the cell's section before it is turned.

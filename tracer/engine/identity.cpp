@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tracer/engine/mutation.h"
+#include "tracer/engine/turned.h"
 #include "tracer/engine/world_surface.h"
 
 namespace whittle {
@@ -50,9 +51,7 @@ private:
         const Support& s = table_.supports[id];
         const Frame& frame = table_.frames[s.frame];
         if (is_turned(s.kind)) {
-            // Told apart by their numbers alone.
-            out_.of.push_back({static_cast<ClassId>(out_.supports.size()), false});
-            out_.supports.push_back(s);
+            place_turned(id);
             return;
         }
         const WorldSurface w = world_surface(s, frame);
@@ -79,6 +78,44 @@ private:
             ++out_.fused;
         }
         out_.of.push_back(best);
+    }
+
+    void place_turned(SupportId id) {
+        const Support& s = table_.supports[id];
+        const Frame& frame = table_.frames[s.frame];
+        ClassOfSupport best{static_cast<ClassId>(out_.supports.size()), false};
+        double key = 0;
+        if (snap_) {
+            const Vec3 at = turned_middle(frame);
+            key = 0.6180339887 * at.x + 0.7548776662 * at.y + 0.5698402910 * at.z;
+            const double window = kKeyRounding * (1 + std::abs(key)) + spread_;
+            const auto to = turned_.upper_bound(key + window);
+            for (auto it = turned_.lower_bound(key - window); it != to; ++it) {
+                bool flipped = false;
+                double distance = 0;
+                if (it->second.first < best.id && turned_agree(it->second.second, id, flipped, distance)) {
+                    best = {it->second.first, flipped};
+                    out_.largest = std::max(out_.largest, distance);
+                }
+            }
+        }
+        if (best.id == out_.supports.size()) {
+            out_.supports.push_back(s);
+            if (snap_) turned_.emplace(key, std::pair{best.id, id});
+        } else {
+            ++out_.fused;
+        }
+        out_.of.push_back(best);
+    }
+
+    bool turned_agree(SupportId first, SupportId id, bool& flipped, double& distance) const {
+        const Support &s = table_.supports[id], &t = table_.supports[first];
+        if (s.kind != t.kind || table_.frames[s.frame].motion != table_.frames[t.frame].motion) return false;
+        const Occurrence &a = table_.occurrences[id], &b = table_.occurrences[first];
+        const double tolerance = kSnapTolerance * std::max(finite_part(a.extent), finite_part(b.extent)) + a.rounding + b.rounding;
+        if (!touching(a.box, b.box, tolerance)) return false;
+        distance = turned_distance(s, table_.frames[s.frame], t, table_.frames[t.frame], flipped);
+        return distance <= tolerance;
     }
 
     // How far apart the keys of two supports that agree may be: what agrees within a tolerance over a box differs by more at the origin, by as many times
@@ -188,6 +225,7 @@ private:
     double spread_ = 0;
     Classes out_;
     std::multimap<double, Member> members_;
+    std::multimap<double, std::pair<ClassId, SupportId>> turned_;  // by the places of their middles
 };
 
 void keep_own_planes(const Formula& formula, Classes& classes) {

@@ -83,6 +83,8 @@ FormulaId FormulaBuilder::use(const Use& use, const Site& site) {
 
 FormulaId FormulaBuilder::node(NodeId id, const Site& site) {
     const Node& n = solid_.node(id);
+    // Straight sides under a twist are united first: nothing makes two that nearly abut one surface there.
+    if (site.turning && has_straight_sides(id)) return turned_polygons(id, site);
     if (const auto* c = std::get_if<Combination>(&n)) return combination(*c, site);
     return shape(id, std::get<Shape>(n), site);
 }

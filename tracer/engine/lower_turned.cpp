@@ -145,16 +145,16 @@ FormulaId FormulaBuilder::turned_shape(NodeId id, const Shape& shape, const Site
             return std::vector<HalfSpaceRef>{turn < 0 ? p.turned_side(a, b) : p.turned_side(b, a), p.turned_parabola(a, c, b)};
         });
     }
-    std::vector<std::vector<Vec2>> rings;
-    if (const auto* r = std::get_if<shape::Rectangle>(&shape)) {
-        rings = {{r->lo, Vec2(r->hi.x, r->lo.y), r->hi, Vec2(r->lo.x, r->hi.y)}};
-    } else {
-        const Bounds& flat = solid_.bounds(id);
-        rings = contours_of(solid_, id, kProfileTolerance * glm::length(flat.hi - flat.lo));
-    }
+    return turned_polygons(id, site);
+}
+
+FormulaId FormulaBuilder::turned_polygons(NodeId id, const Site& site) {
+    const Placement map = site.chain.whole();
+    const Bounds& flat = solid_.bounds(id);
+    std::vector<std::vector<Vec2>> rings = contours_of(solid_, id, kProfileTolerance * glm::length(flat.hi - flat.lo));
     const bool mirrored = map.linear(0, 0) * map.linear(1, 1) - map.linear(0, 1) * map.linear(1, 0) < 0;
     for (auto& ring : rings) {
-        for (Vec2& p : ring) p = at(p);
+        for (Vec2& p : ring) p = flat_image(map, p);
         if (mirrored) std::reverse(ring.begin(), ring.end());
     }
     return turned_rings(rings, site);

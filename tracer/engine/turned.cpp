@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/degrees.h"
 #include "csg/span/perturbation.h"
 #include "tracer/engine/turned_function.h"
 
@@ -180,7 +181,7 @@ public:
     }
 
 private:
-    static constexpr double kLeast = std::is_same_v<N, Near> ? 0x1p-36 : 0x1p-90;
+    static constexpr double kLeast = std::is_same_v<N, Near> ? 0x1p-36 : 0x1p-70;
 
     int sign_at(double t) const {
         const N v = at(N(t)).v;
@@ -359,6 +360,65 @@ Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& poi
         n[i] = TurnedLine<Near>(support, twist, {Near(point.x), Near(point.y), Near(point.z)}, d).at(Near(0.0)).s.high();
     }
     return n;
+}
+
+namespace {
+
+Vec3 in_frame(const Frame& frame, const Vec3& point) {
+    if (frame.identity) return point;
+    const auto& k = frame.inverse;
+    const Vec3 p = point - Vec3(frame.placement.offset(0), frame.placement.offset(1), frame.placement.offset(2));
+    return {k[0] * p.x + k[1] * p.y + k[2] * p.z, k[3] * p.x + k[4] * p.y + k[5] * p.z, k[6] * p.x + k[7] * p.y + k[8] * p.z};
+}
+
+// A place of the swept curve: `along` in [0, 1] on it, `up` in [0, 1] of the piece.
+Vec3 turned_point(const Support& s, const Twist& w, double along, double up) {
+    const auto& p = s.p;
+    Vec2 q;
+    if (s.kind == SupportKind::kTurnedSide) {
+        q = {p[0] + along * (p[2] - p[0]), p[1] + along * (p[3] - p[1])};
+    } else if (s.kind == SupportKind::kTurnedEllipse) {
+        const double c = cosd(360 * along), n = sind(360 * along);
+        q = {p[0] + p[2] * c + p[3] * n, p[1] + p[4] * c + p[5] * n};
+    } else {
+        const double a = (1 - along) * (1 - along), c = 2 * along * (1 - along), b = along * along;
+        q = {a * p[0] + c * p[2] + b * p[4], a * p[1] + c * p[3] + b * p[5]};
+    }
+    const double z = w.from + up * (w.to - w.from), share = (z - w.z0) / (w.z1 - w.z0), c = cosd(w.degrees * share), n = sind(w.degrees * share);
+    return {(1 + (w.scale_x - 1) * share) * (c * q.x + n * q.y), (1 + (w.scale_y - 1) * share) * (c * q.y - n * q.x), z};
+}
+
+}  // namespace
+
+Vec3 turned_middle(const Frame& frame) { return apply_to_point(frame.placement, {0, 0, 0.5 * (frame.twist->from + frame.twist->to)}); }
+
+double turned_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b, bool& flipped) {
+    const Twist &v = *in_a.twist, &w = *in_b.twist;
+    const auto on_axis = [](const Frame& f, double z) { return apply_to_point(f.placement, {0, 0, z}); };
+    const auto apart = [&](double x, double y) { return std::max(glm::distance(on_axis(in_a, v.from), on_axis(in_b, x)), glm::distance(on_axis(in_a, v.to), on_axis(in_b, y))); };
+    double worst = std::min(apart(w.from, w.to), apart(w.to, w.from));
+    // The windows must be the same but for their margins.
+    const double reach = glm::length(in_frame(in_b, apply_to_point(in_a.placement, {v.reach, 0, v.from})) - in_frame(in_b, on_axis(in_a, v.from)));
+    if (!(std::abs(reach - w.reach) <= 0x1p-16 * w.reach) || a.kind != b.kind) return HUGE_VAL;
+    constexpr int kPoints = 5;
+    for (int i = 0; i < kPoints; ++i)
+        for (int j = 0; j < kPoints; ++j) {
+            const Vec3 p = turned_point(a, v, (i + 0.125) / kPoints, (j + 0.375) / kPoints), root = apply_to_point(in_a.placement, p), q = in_frame(in_b, root);
+            std::array<Near, 3> still, from{Near(q.x), Near(q.y), Near(q.z)};
+            const double value = TurnedLine<Near>(b, w, from, still).at(Near(0.0)).v.high();
+            const auto pulled = [](const Frame& f, const Vec3& n) {
+                const auto& k = f.inverse;
+                return f.identity ? n : Vec3(k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z);
+            };
+            const Vec3 n = pulled(in_a, turned_gradient(a, v, p)), m = pulled(in_b, turned_gradient(b, w, q));
+            const double slope = glm::length(m);
+            if (!(slope > 0)) return HUGE_VAL;
+            const bool against = glm::dot(n, m) < 0;
+            if (i + j > 0 && against != flipped) return HUGE_VAL;
+            flipped = against;
+            worst = std::max(worst, std::abs(value) / slope);
+        }
+    return worst;
 }
 
 }  // namespace whittle

@@ -23,6 +23,13 @@ bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, boo
 // Of a ray moved a little, by the rule of csg/span/perturbation.h but not without end: an answer, not a certificate.
 void unsettled_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
 
+// The middle of the piece's axis in the root frame: what agrees has it in one place.
+Vec3 turned_middle(const Frame& frame);
+
+// How far points of the first are, in the root frame, from the second; infinite where they are not the same piece of one way up. `flipped`: outside of the one is
+// inside of the other.
+double turned_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b, bool& flipped);
+
 // The function's gradient at a point of the frame.
 Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& point);
 
