@@ -1,4 +1,4 @@
-// turned.cpp — isolation by bounds of the second derivative, Newton's method, certificates by signs.
+// turned.cpp — isolation by bounds of derivatives, Newton's method, certificates by signs.
 //
 // Source: Moore, Interval Analysis (1966), the mean value forms; Kalra and Barr, Guaranteed Ray Intersections with Implicit Surfaces (1989), whose bounds of
 // f and f' isolate roots likewise.
@@ -144,19 +144,26 @@ public:
         if (twist.degrees != 0) rate_ = N(twist.degrees) * half_pi(N()) / (N(90.0) * (N(twist.z1) - N(twist.z0)));
     }
 
-    Along<N> at(const N& t) const {
-        std::array<Along<N>, 3> x;
+    template <std::size_t K = 1>
+    Taylor<N, K> at(const N& t) const {
+        using T = Taylor<N, K>;
+        std::array<T, 3> x;
         for (std::size_t i = 0; i < 3; ++i) x[i] = {o_[i] + t * d_[i], d_[i]};
-        Along<N> cosine(N(1.0)), sine(N(0.0));
+        T cosine(N(1.0)), sine;
         if (twist_.degrees != 0) {
             N c, s;
-            if (!turn<N>(rate_ * (x[2].v - N(twist_.z0)), c, s)) return {N(0.0), N(0.0)};
+            if (!turn<N>(rate_ * (x[2].c[0] - N(twist_.z0)), c, s)) return {};
+            // The derivatives go around: -s, -c, s, c.
             const N speed = rate_ * d_[2];
-            cosine = {c, -(s * speed)};
-            sine = {s, c * speed};
+            N power(1.0);
+            for (std::size_t k = 0; k <= K; ++k) {
+                cosine.c[k] = power * (k % 4 == 0 ? c : k % 4 == 1 ? -s : k % 4 == 2 ? -c : s);
+                sine.c[k] = power * (k % 4 == 0 ? s : k % 4 == 1 ? c : k % 4 == 2 ? -s : -c);
+                power = power * speed / N(static_cast<double>(k + 1));
+            }
         }
-        Along<N> r = turned::function(support_, twist_, x, cosine, sine);
-        if (leaving_) r.v = r.v - constant_;
+        T r = turned::function(support_, twist_, x, cosine, sine);
+        if (leaving_) r.c[0] = r.c[0] - constant_;
         return r;
     }
 
@@ -165,7 +172,7 @@ public:
         leaving_ = leaving && window.from < 0 && window.to > 0;
         if (leaving_) {
             leaving_ = false;
-            constant_ = at(N(0.0)).v;
+            constant_ = at(N(0.0)).c[0];
             leaving_ = true;
         }
         const int before = sign_at(window.from);
@@ -175,40 +182,56 @@ public:
         if (!(window.from < window.to)) return true;
         const int behind = sign_at(window.to);
         if (behind == 0) return false;
-        curve_ = steepest(window);
+        rest_ = rest_of(window);
+        left_ = kMostParts;
         least_ = (window.to - window.from) * kLeast;
-        return std::isfinite(curve_) && isolate(window.from, window.to, before, behind, out);
+        return std::isfinite(rest_) && isolate(window.from, window.to, before, behind, out);
     }
 
 private:
-    static constexpr double kLeast = std::is_same_v<N, Near> ? 0x1p-36 : 0x1p-70;
+    // In double the tangent and a bound of the second derivative do for most rays. A ray that nearly lies in the side has tiny derivatives of every order, which
+    // bounds by magnitudes do not see: the finer tier takes more of them, enough that of what only tapers, a polynomial, nothing is left out.
+    static constexpr bool kFine = std::is_same_v<N, Bounded>;
+    static constexpr std::size_t kTerms = kFine ? 5 : 1;
+    static constexpr double kLeast = kFine ? 0x1p-70 : 0x1p-36;
+    static constexpr int kMostParts = kFine ? 600 : 100;
 
     int sign_at(double t) const {
-        const N v = at(N(t)).v;
+        const N v = at(N(t)).c[0];
         return v.is_certain() ? v.sign() : 0;
     }
 
-    // A bound of the second derivative over the window.
-    double steepest(const Window& window) const {
+    // A bound over the window of the first coefficient that is left out.
+    double rest_of(const Window& window) const {
+        using T = Taylor<Size, kTerms + 1>;
         const double far = std::max(std::abs(window.from), std::abs(window.to));
-        std::array<Steepness, 3> x;
+        std::array<T, 3> x;
         for (std::size_t i = 0; i < 3; ++i) {
             const double d = std::abs(d_[i].high()) + d_[i].error();
             const double o = i == 2 ? std::max(std::abs(twist_.from), std::abs(twist_.to)) + (twist_.to - twist_.from) : 2 * twist_.reach;
-            x[i] = {Size(std::min(o, std::abs(o_[i].high()) + o_[i].error() + far * d)), Size(d), Size(0)};
+            x[i] = {Size(std::min(o, std::abs(o_[i].high()) + o_[i].error() + far * d)), Size(d)};
         }
-        const double speed = (std::abs(rate_.high()) + rate_.error()) * x[2].s.v;
-        const Steepness round{Size(1), Size(speed), Size(speed * speed)};
-        return turned::function(support_, twist_, x, round, round).c.v * kRoom;
+        const double speed = (std::abs(rate_.high()) + rate_.error()) * x[2].c[1].v;
+        T round;
+        double power = 1;
+        for (std::size_t k = 0; k <= kTerms + 1; ++k, power *= speed / static_cast<double>(k)) round.c[k] = Size(power);
+        return turned::function(support_, twist_, x, round, round).c[kTerms + 1].v * kRoom;
     }
 
     bool isolate(double lo, double hi, int at_lo, int at_hi, TurnedRoots<N>& out) {
         const double middle = lo + 0.5 * (hi - lo), r = std::max(hi - middle, middle - lo) * kRoom;
-        const Along<N> f = at(N(middle));
-        const double bend = curve_ * r, value = std::abs(f.v.high()) * (1 - 0x1p-40) - f.v.error(), slope = std::abs(f.s.high()) * (1 - 0x1p-40) - f.s.error();
+        if (--left_ < 0) return false;
+        const Taylor<N, kTerms> f = at<kTerms>(N(middle));
+        double swing = rest_, bend = rest_ * static_cast<double>(kTerms + 1);  // of the value and of the slope, at most, over the part
+        for (std::size_t k = kTerms; k >= 1; --k) {
+            const double most = std::abs(f.c[k].high()) * kRoom + f.c[k].error();
+            swing = swing * r + most;
+            if (k > 1) bend = bend * r + most * static_cast<double>(k);
+        }
+        const auto least = [](const N& v) { return std::abs(v.high()) * (1 - 0x1p-40) - v.error(); };
         const bool holds_origin = leaving_ && lo < 0 && hi > 0;
-        if (!holds_origin && value > ((std::abs(f.s.high()) + f.s.error()) * r + 0.5 * bend * r) * kRoom) return true;
-        if (slope > bend * kRoom) {
+        if (!holds_origin && least(f.c[0]) > swing * r * kRoom) return true;
+        if (least(f.c[1]) > bend * r * kRoom) {
             if (at_lo == at_hi) return !holds_origin;
             if (out.count == Crossings::kMost) return false;
             N& root = out.t[static_cast<std::size_t>(out.count++)];
@@ -232,12 +255,12 @@ private:
     bool refine(double lo, double hi, int at_lo, N& root) const {
         double a = lo, b = hi;
         N t(lo + 0.5 * (hi - lo));
-        Along<N> f;
+        Taylor<N, 1> f;
         for (int i = 0; i < 80; ++i) {
             f = at(t);
-            if (!f.v.is_certain() || f.v.is_zero() || f.s.high() == 0) break;
-            (f.v.sign() == at_lo ? a : b) = t.high();
-            const N step = without_error(f.v) / without_error(f.s);
+            if (!f.c[0].is_certain() || f.c[0].is_zero() || f.c[1].high() == 0) break;
+            (f.c[0].sign() == at_lo ? a : b) = t.high();
+            const N step = without_error(f.c[0]) / without_error(f.c[1]);
             const N next = without_error(t - step);
             if (!(next.high() > a && next.high() < b)) {
                 const double middle = a + 0.5 * (b - a);
@@ -249,7 +272,7 @@ private:
             if (std::abs(step.high()) <= 2 * N::kUnit * std::abs(t.high())) break;
         }
         f = at(t);
-        double error = (2 * (std::abs(f.v.high()) + f.v.error()) / std::abs(f.s.high()) + 2 * N::kUnit * std::abs(t.high())) * kRoom;
+        double error = (2 * (std::abs(f.c[0].high()) + f.c[0].error()) / std::abs(f.c[1].high()) + 2 * N::kUnit * std::abs(t.high())) * kRoom;
         for (int i = 0; i < 24 && std::isfinite(error); ++i, error *= 2) {
             if (sign_beside(t - N(error), lo, hi, at_lo) == at_lo && sign_beside(t + N(error), lo, hi, at_lo) == -at_lo) {
                 root = N::about(t.high(), t.low(), error * kRoom + 2 * N::kUnit * std::abs(t.high()));
@@ -262,7 +285,7 @@ private:
     int sign_beside(const N& t, double lo, double hi, int at_lo) const {
         if (t.high() <= lo) return at_lo;
         if (t.high() >= hi) return -at_lo;
-        const N v = at(t).v;
+        const N v = at(t).c[0];
         return v.is_certain() ? v.sign() : 0;
     }
 
@@ -271,7 +294,8 @@ private:
     std::array<N, 3> o_, d_;
     N rate_{0.0}, constant_{0.0};
     bool leaving_ = false;
-    double curve_ = 0, least_ = 0;
+    double rest_ = 0, least_ = 0;
+    int left_ = 0;
 };
 
 bool fine_line(const Frame& frame, const std::array<Bounded, 3>& origin, const Vec3& direction, std::array<Bounded, 3>& o, std::array<Bounded, 3>& d) {
@@ -357,7 +381,7 @@ Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& poi
     for (int i = 0; i < 3; ++i) {
         std::array<Near, 3> d;
         d[static_cast<std::size_t>(i)] = Near(1.0);
-        n[i] = TurnedLine<Near>(support, twist, {Near(point.x), Near(point.y), Near(point.z)}, d).at(Near(0.0)).s.high();
+        n[i] = TurnedLine<Near>(support, twist, {Near(point.x), Near(point.y), Near(point.z)}, d).at(Near(0.0)).c[1].high();
     }
     return n;
 }
@@ -405,7 +429,7 @@ double turned_distance(const Support& a, const Frame& in_a, const Support& b, co
         for (int j = 0; j < kPoints; ++j) {
             const Vec3 p = turned_point(a, v, (i + 0.125) / kPoints, (j + 0.375) / kPoints), root = apply_to_point(in_a.placement, p), q = in_frame(in_b, root);
             std::array<Near, 3> still, from{Near(q.x), Near(q.y), Near(q.z)};
-            const double value = TurnedLine<Near>(b, w, from, still).at(Near(0.0)).v.high();
+            const double value = TurnedLine<Near>(b, w, from, still).at(Near(0.0)).c[0].high();
             const auto pulled = [](const Frame& f, const Vec3& n) {
                 const auto& k = f.inverse;
                 return f.identity ? n : Vec3(k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z);

@@ -65,31 +65,35 @@ struct Size {
     friend Size operator*(Size a, Size b) { return a.v * b.v; }
 };
 
-// Value and slope in t.
-template <class N>
-struct Along {
+// The first K + 1 coefficients in powers of t - m; over magnitudes, bounds of them wherever m lies.
+template <class N, std::size_t K>
+struct Taylor {
     using Number = N;
-    N v{0.0}, s{0.0};
-    Along() = default;
-    Along(const N& constant) : v(constant) {}  // NOLINT
-    Along(const N& value, const N& slope) : v(value), s(slope) {}
-    friend Along operator+(const Along& a, const Along& b) { return {a.v + b.v, a.s + b.s}; }
-    friend Along operator-(const Along& a, const Along& b) { return {a.v - b.v, a.s - b.s}; }
-    friend Along operator*(const Along& a, const Along& b) { return {a.v * b.v, a.v * b.s + a.s * b.v}; }
-    friend Along operator*(const N& k, const Along& a) { return {k * a.v, k * a.s}; }
-};
-
-// Bounds of the magnitudes of a value, its slope and its second derivative.
-struct Steepness {
-    using Number = Size;
-    Size v, s, c;
-    Steepness() = default;
-    Steepness(Size constant) : v(constant) {}  // NOLINT
-    Steepness(Size value, Size slope, Size curve) : v(value), s(slope), c(curve) {}
-    friend Steepness operator+(const Steepness& a, const Steepness& b) { return {a.v + b.v, a.s + b.s, a.c + b.c}; }
-    friend Steepness operator-(const Steepness& a, const Steepness& b) { return a + b; }
-    friend Steepness operator*(const Steepness& a, const Steepness& b) { return {a.v * b.v, a.v * b.s + a.s * b.v, a.c * b.v + a.s * b.s + a.s * b.s + a.v * b.c}; }
-    friend Steepness operator*(Size k, const Steepness& a) { return {k * a.v, k * a.s, k * a.c}; }
+    std::array<N, K + 1> c{};
+    Taylor() = default;
+    Taylor(const N& constant) { c[0] = constant; }  // NOLINT
+    Taylor(const N& value, const N& slope) {
+        c[0] = value;
+        c[1] = slope;
+    }
+    friend Taylor operator+(Taylor a, const Taylor& b) {
+        for (std::size_t i = 0; i <= K; ++i) a.c[i] = a.c[i] + b.c[i];
+        return a;
+    }
+    friend Taylor operator-(Taylor a, const Taylor& b) {
+        for (std::size_t i = 0; i <= K; ++i) a.c[i] = a.c[i] - b.c[i];
+        return a;
+    }
+    friend Taylor operator*(const Taylor& a, const Taylor& b) {
+        Taylor r;
+        for (std::size_t i = 0; i <= K; ++i)
+            for (std::size_t j = 0; i + j <= K; ++j) r.c[i + j] = r.c[i + j] + a.c[i] * b.c[j];
+        return r;
+    }
+    friend Taylor operator*(const N& k, Taylor a) {
+        for (N& x : a.c) x = k * x;
+        return a;
+    }
 };
 
 namespace turned {
