@@ -21,7 +21,7 @@ void print_json(const Measurement& m) {
     object.measured("volume", m.volume).measured("area", m.area).raw("centroid", list(m.centroid, 0, 3));
     object.raw("inertia", json::array({list(m.inertia, 0, 3), list(m.inertia, 3, 3), list(m.inertia, 6, 3)}));
     object.raw("bounds", json::Object().raw("min", list(m.lo, 0, 3)).raw("max", list(m.hi, 0, 3)).str());
-    object.count("rays", m.lines).count("seed", m.seed).string("method", m.method);
+    object.count("rays", m.lines).count("seed", m.seed).string("method", m.method).count("uncertified", m.counters.uncertified);
     fmt::print("{}\n", object.str());
 }
 
@@ -42,6 +42,8 @@ void print_table(const Measurement& m) {
     fmt::print("bounds    {} to\n          {}\n", shown(m.lo), shown(m.hi));
     const bool certain = m.volume.kind == ErrorKind::kBound;
     fmt::print("by {} ({} rays); errors are {}\n", m.method, m.lines, certain ? "bounds" : "99 % confidence intervals");
+    if (m.counters.uncertified > 0)
+        fmt::print("{} crossings are not certified, most where facets stand for a smooth surface: the errors leave out how far those stray\n", m.counters.uncertified);
 }
 
 }  // namespace

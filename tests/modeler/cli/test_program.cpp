@@ -126,7 +126,16 @@ TEST_CASE("measure gives values with their errors") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, R"({"volume":{"value":)"));
     CHECK(contains(outcome.out, R"("method":")"));
+    CHECK(contains(outcome.out, R"("uncertified":0})"));
     CHECK(contains(run_whittle({"measure", scene}).out, "volume"));
+}
+
+TEST_CASE("measure says where facets stand for a smooth surface") {
+    const TemporaryFolder folder;
+    const Outcome twisted = run_whittle({"measure", folder.file("t.scad", "linear_extrude(10, twist = 90, slices = 4) translate([3, 0]) circle(2);\n")});
+    CHECK(twisted.code == 0);
+    CHECK(contains(twisted.out, "the errors leave out how far those stray"));
+    CHECK_FALSE(contains(run_whittle({"measure", folder.file("b.scad", "cylinder(h = 2, r = 1);\n")}).out, "stray"));
 }
 
 TEST_CASE("definitions, parameter sets and standard input reach the scene") {
