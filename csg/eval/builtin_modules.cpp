@@ -1,6 +1,9 @@
 // The table of built-in modules and the shortest of them.
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "csg/eval/builtin_module_parts.h"
 
@@ -76,6 +79,19 @@ constexpr std::string_view kExtrudeForm = "linear_extrude(height, center, convex
 constexpr std::string_view kRevolveForm = "rotate_extrude(angle, convexity)";
 constexpr std::string_view kImportForm = "import(\"file\", convexity)";
 
+// A name as part of a type.
+template <std::size_t N>
+struct Name {
+    char text[N];
+    constexpr Name(const char (&s)[N]) { std::copy_n(s, N, text); }  // NOLINT: so that a literal is one
+};
+
+template <Name old, Name now, std::optional<scene::What> (*make)(ModuleUse&)>
+std::optional<scene::What> renamed(ModuleUse& use) {
+    use.machine.say(Severity::kDeprecated, use.place, fmt::format("The {}() module will be removed in future releases. Use {}() instead.", old.text, now.text));
+    return make(use);
+}
+
 constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"cube", "size center", "", false, make_cube, "cube(size, center)"},
     {"sphere", "r", "d", false, make_sphere, "sphere(r) or sphere(d=)"},
@@ -105,18 +121,18 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"resize", "newsize auto convexity", "", true, make_resize, "resize([x, y, z], auto, convexity)"},
     {"color", "c alpha", "", true, make_color, "color(c, alpha)"},
     {"linear_extrude", kExtrude, kExtrudeNamed, true, make_linear_extrude, kExtrudeForm},
-    {"dxf_linear_extrude", kExtrude, kExtrudeNamed, true, make_linear_extrude, kExtrudeForm},
+    {"dxf_linear_extrude", kExtrude, kExtrudeNamed, true, renamed<"dxf_linear_extrude", "linear_extrude", make_linear_extrude>, kExtrudeForm},
     {"rotate_extrude", kRevolve, kRevolveNamed, true, make_rotate_extrude, kRevolveForm},
-    {"dxf_rotate_extrude", kRevolve, kRevolveNamed, true, make_rotate_extrude, kRevolveForm},
+    {"dxf_rotate_extrude", kRevolve, kRevolveNamed, true, renamed<"dxf_rotate_extrude", "rotate_extrude", make_rotate_extrude>, kRevolveForm},
     {"offset", "r", "delta chamfer", true, make_offset, "offset(r) or offset(delta=, chamfer=)"},
     {"projection", "cut", "convexity", true, make_projection, "projection(cut)"},
     {"fill", "", "", true, plain<scene::Fill>, "fill()"},
     {"roof", "method", "convexity", true, make_roof, "roof(method)"},
     {"text", "text size font", "direction language script halign valign spacing", false, make_text, "text(\"text\", size, font)"},
     {"import", kImport, kImportNamed, false, make_import, kImportForm},
-    {"import_stl", kImport, kImportNamed, false, make_import, kImportForm},
-    {"import_off", kImport, kImportNamed, false, make_import, kImportForm},
-    {"import_dxf", kImport, kImportNamed, false, make_import, kImportForm},
+    {"import_stl", kImport, kImportNamed, false, renamed<"import_stl", "import", make_import>, kImportForm},
+    {"import_off", kImport, kImportNamed, false, renamed<"import_off", "import", make_import>, kImportForm},
+    {"import_dxf", kImport, kImportNamed, false, renamed<"import_dxf", "import", make_import>, kImportForm},
     {"surface", "file center convexity", "invert", false, make_surface, "surface(\"file\", center, convexity)"},
     {"material", "preset", "color roughness metal ior transmission absorption dispersion emission priority", true, make_material,
      "material(\"preset\", color=, roughness=, metal=, ior=, transmission=, absorption=, dispersion=, emission=, priority=)"},
