@@ -1,6 +1,7 @@
 // rows.h — rays and hits side by side: a row a coordinate, so that packets read and write whole vectors.
 //
-// A Ray and a Hit are 72 and 128 bytes, of which a camera's first hit needs 48 and about 50; taking them apart one by one cost as much as meeting a small solid.
+// A Ray and a Hit are 72 and 128 bytes, of which a camera's first hit needs 48 and about 50; taking them apart one by one cost as much as meeting a small
+// solid.
 #pragma once
 
 #include <array>
