@@ -71,14 +71,15 @@ std::string use_fault(const Subject& subject, const End& end, const Border& b) {
     return fmt::format("use {} does not change there", end.use);
 }
 
-// Does the program hold leaves that stand for a curved surface? Only their ends may be uncertified.
-bool has_stand_ins(const Program& program) {
-    return std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; });
+// Does the program hold leaves that stand for a curved surface, or turned sides, of which double-double does not tell all? Only their ends may be uncertified.
+bool may_be_uncertified(const Program& program) {
+    return std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; }) ||
+           std::any_of(program.classes.begin(), program.classes.end(), [](const Support& s) { return is_turned(s.kind); });
 }
 
 std::string end_fault(const Subject& subject, const Ray& ray, const End& end, const Border& b, Tally& tally) {
     if (!std::isfinite(end.t) || !std::isfinite(end.t_error) || end.t < 0 || end.t_error < 0) return "t or t_error is no such number";
-    if (!end.certified && !has_stand_ins(*subject.program)) ++tally.uncertified;
+    if (!end.certified && !may_be_uncertified(*subject.program)) ++tally.uncertified;
     if (end.certified && !within(end, b)) return fmt::format("t {:.17g} is off by {:.3g}, t_error {:.3g}", end.t, end.t - about(b), end.t_error);
     if (end.t_error > 0) tally.worst_ratio = std::max(tally.worst_ratio, std::abs((Dyadic(end.t) - b.lo).to_double()) / end.t_error);
     if (!(std::abs(length(end.normal) - 1) < 1e-9)) return "the normal is not of length 1";
