@@ -13,6 +13,7 @@
 
 #include "tests/stress/compare.h"
 #include "tests/stress/scene_text.h"
+#include "tests/support/reduce.h"
 #include "tests/support/seed.h"
 
 using namespace whittle;
@@ -239,7 +240,9 @@ TEST_CASE("scaling by a power of two changes no bit") {
         const auto here = compile(solid.solid), there = compile(random_solid(theme, recipe, {}, motion).solid);
         if (!here || !there) continue;
         for (int k = 0; k < 10; ++k) {
-            const Ray ray = support::random_ray(solid, random);
+            Ray ray = support::random_ray(solid, random);
+            for (int axis = 0; axis < 3; ++axis)
+                if (std::abs(ray.origin[axis]) < kUnderflow) ray.origin[axis] = 0;  // numbers without all their bits lose some when scaled
             Ray image = ray;
             image.origin *= scale;
             image.direction *= scale;
@@ -248,6 +251,8 @@ TEST_CASE("scaling by a power of two changes no bit") {
             INFO(name_of(theme) << " scale " << scale << " ray " << to_text(ray));
             REQUIRE(a.size() == b.size());
             for (std::size_t n = 0; n < a.size(); ++n) {
+                INFO(support::to_code(solid.solid));
+                INFO(fmt::format("t {:a}, bounds {:a} and {:a}, use {}", a[n].t, a[n].error, b[n].error, a[n].use));
                 REQUIRE(a[n].t == b[n].t);
                 REQUIRE((a[n].error == b[n].error || (a[n].error < kUnderflow && b[n].error < kUnderflow)));
                 REQUIRE(a[n].use == b[n].use);

@@ -4,6 +4,7 @@
 // into pieces of at most 45 degrees between planes, which makes boxes tight and crossings few. A polygon that is not convex is cut into triangles; the cuts
 // are swept sides too, shared by the two cells that meet there, so that no border is left.
 #include <algorithm>
+#include <cmath>
 
 #include "csg/base/degrees.h"
 #include "csg/solid/ear_clipping.h"
@@ -42,6 +43,21 @@ Vec2 scales_at(const Twist& w, double z) {
     return {1 + (w.scale_x - 1) * share, 1 + (w.scale_y - 1) * share};
 }
 
+// Of a placement that does nothing but scale by a power of two; 1 of any other. Such a scale is taken into the numbers, which it does not round: bounds then
+// are those of the solid without it, to the bit.
+double exact_scale(const Placement& p) {
+    const double k = p.linear(0, 0);
+    int exponent = 0;
+    Placement scale;
+    for (const std::size_t i : {0u, 5u, 10u}) scale.m[i] = k;
+    return std::frexp(k, &exponent) == 0.5 && p == scale ? k : 1;
+}
+
+Twist scaled(Twist w, double k) {
+    for (double* x : {&w.z0, &w.z1, &w.from, &w.to, &w.reach}) *x *= k;
+    return w;
+}
+
 // Around the paths of the points over the piece: an arc is within its chord's box grown by its rise, and scales are largest and least at the ends.
 Bounds swept_box(const Twist& w, const std::vector<Vec2>& points) {
     const double first = w.degrees * (w.from - w.z0) / (w.z1 - w.z0), last = w.degrees * (w.to - w.z0) / (w.z1 - w.z0);
@@ -76,6 +92,7 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
     const Vec2 far = glm::max(glm::abs(Vec2(flat.lo)), glm::abs(Vec2(flat.hi)));
     Twist twist{e.z0, e.z1, e.twist_deg, e.scale_top.x, e.scale_top.y, e.z0, e.z1, 0};
     twist.reach = glm::length(far) * std::max({1.0, e.scale_top.x, e.scale_top.y}) * kOutward;
+    const double scale = exact_scale(site.chain.whole());
     const int pieces = static_cast<int>(std::clamp(std::ceil(std::abs(e.twist_deg) / kMostDegrees), 1.0, kMostPieces));
     std::vector<FormulaId> parts;
     for (int i = 0; i < pieces; ++i) {
@@ -83,11 +100,11 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
         twist.from = height(i);
         twist.to = height(i + 1);
         if (!(twist.from < twist.to)) return faceted(id, site);
-        Turning turning{site.chain, twist, false};
+        Turning turning{scale == 1 ? site.chain : Chain(), scaled(twist, scale), false};
         Placer p(out_, site.chain, site.motion, {Vec3(whole.lo.x, whole.lo.y, twist.from), Vec3(whole.hi.x, whole.hi.y, twist.to)}, Absorb::kAny);
         const FormulaId ends = cell({p.axis_plane(2, twist.from, false), p.axis_plane(2, twist.to, true)}, p.root_box(), site);
         Site within = site;
-        within.chain = Chain();
+        within.chain = Chain().then({{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}});
         within.turning = &turning;
         parts.push_back(all_of({ends, node(e.profile, within)}, site));
         if (turning.failed) return faceted(id, site);
