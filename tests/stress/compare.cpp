@@ -8,6 +8,7 @@
 
 #include "tests/stress/lowered.h"
 #include "tracer/engine/program.h"
+#include "tracer/engine/scratch.h"
 
 namespace whittle::stress {
 
@@ -126,6 +127,13 @@ std::string any_hit_fault(const Subject& subject, const Ray& ray, const Borders&
     return fmt::format("any_hit up to {:.17g}: not {}\n  reference{}", t_max, wanted, described(want));
 }
 
+// `why`, if the last question of the scratch left nothing open.
+std::string unless_open(const std::string& why, const Scratch& scratch, Tally& tally) {
+    if (why.empty() || !scratch.impl->walker.context().any_unsettled()) return why;
+    ++tally.open;
+    return {};
+}
+
 // A little way along, a ray that leaves a surface is where the plain ray is that starts there.
 bool is_plausible(const Subject& subject, const Ray& leaving, const Borders& want) {
     const double way = 0x1p-20 * (1e-3 + length(leaving.origin)) / length(leaving.direction);
@@ -200,13 +208,14 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
         if (why.empty()) why = first_hit_fault(subject, ray, want, t_max, scratch, tally);
         if (why.empty()) why = any_hit_fault(subject, ray, want, t_max, scratch);
     }
-    return why;
+    return unless_open(why, scratch, tally);
 }
 
 std::string continuation_disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally) {
     Hit hit;
     // Without the snap coincident surfaces may be two classes, of which the hit names one: then leaving is not defined to the last bit.
     if (!subject.snap || !first_hit(*subject.program, ray, HUGE_VAL, scratch, hit)) return {};
+    if (!hit.end.certified) return {};  // the place may lie further off the surface than rounding
     const auto& departure = hit.departure;
     if (departure.count == 0) return "a hit names no class to leave";
     if (departure.count == static_cast<int>(departure.classes.size())) return {};  // perhaps more are tied than it holds
@@ -230,6 +239,7 @@ std::string continuation_disagreement(const Subject& subject, const Ray& ray, Sc
     std::string why = spans_fault(subject, next, want, scratch, first_error, tally);
     if (why.empty()) why = first_hit_fault(subject, next, want, HUGE_VAL, scratch, tally);
     if (why.empty()) why = any_hit_fault(subject, next, want, HUGE_VAL, scratch);
+    why = unless_open(why, scratch, tally);
     return why.empty() ? why : told(why);
 }
 

@@ -102,7 +102,11 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
         if (!(twist.from < twist.to)) return faceted(id, site);
         Turning turning{scale == 1 ? site.chain : Chain(), scaled(twist, scale), false};
         Placer p(out_, site.chain, site.motion, {Vec3(whole.lo.x, whole.lo.y, twist.from), Vec3(whole.hi.x, whole.hi.y, twist.to)}, Absorb::kAny);
-        const FormulaId ends = cell({p.axis_plane(2, twist.from, false), p.axis_plane(2, twist.to, true)}, p.root_box(), site);
+        std::vector<HalfSpaceRef> sides{p.axis_plane(2, twist.from, false), p.axis_plane(2, twist.to, true)};
+        // As of straight sides (lower_stretched.cpp): no film beyond the line that all sides run into where one scale nearly ends in 0.
+        if (e.scale_top.x != e.scale_top.y)
+            for (int axis = 0; axis < 2; ++axis) sides.insert(sides.end(), {p.axis_plane(axis, whole.lo[axis], false), p.axis_plane(axis, whole.hi[axis], true)});
+        const FormulaId ends = cell(std::move(sides), p.root_box(), site);
         Site within = site;
         within.chain = Chain().then({{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}});
         within.turning = &turning;
