@@ -87,7 +87,7 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
         if (filtered_turned(s, frame(s.frame), local, leaves(id), out)) return;
         ++counters_->escalated_double_double;
         if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
-        leave_open(id);
+        if (!unsettled(id)) unsettled_.push_back(id);
         unsettled_turned(s, frame(s.frame), ray_, leaves(id), out);
         return;
     }
@@ -161,12 +161,8 @@ exact::RealRoot place(double t) {
 
 int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
-    // There is no exact form of a turned side: what double-double cannot tell apart is one place, and not certified.
-    if (is_turned(a) || is_turned(b)) {
-        for (const Event* e : {&a, &b})
-            if (e->id != kNoClass) leave_open(e->id);
-        return 0;
-    }
+    // There is no exact form of a turned side: what double-double cannot tell apart is one place.
+    if (is_turned(a) || is_turned(b)) return 0;
     ++counters_->escalated_exact;
     if (a.id == kNoClass) return -compare_exactly(b, a);
     const exact::RealRoot first = exact(a.id).roots[a.index];

@@ -60,7 +60,7 @@ public:
     // Is this a turned side whose crossings neither double nor double-double could settle? Not certain before it was asked for.
     bool unsettled(ClassId id) const { return std::find(unsettled_.begin(), unsettled_.end(), id) != unsettled_.end(); }
 
-    // Is there one, or two whose order stayed open?
+    // Is there one?
     bool any_unsettled() const { return !unsettled_.empty(); }
 
     EngineCounters& counters() { return *counters_; }
@@ -74,9 +74,6 @@ private:
     };
 
     bool leaves(ClassId id) const;
-    void leave_open(ClassId id) {
-        if (!unsettled(id)) unsettled_.push_back(id);
-    }
     bool is_turned(const Event& e) const { return e.id != kNoClass && whittle::is_turned(program_->classes[e.id].kind); }
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
