@@ -77,17 +77,20 @@ private:
     Form swept() const {
         const auto scale = [&](double top) { return Form(twist_->z1 - twist_->z0) * p_.w + Form(top - 1) * (p_.z - Form(twist_->z0) * p_.w); };
         const Form height = Form(twist_->z1 - twist_->z0), kx = scale(twist_->scale_x), ky = scale(twist_->scale_y);
-        const Form x = height * p_.x * ky, y = height * p_.y * kx, unit = kx * ky;
+        // Where both scales are one the engine divides by it once: leaving a surface takes the constant term away, so the factor matters.
+        const bool even = twist_->scale_x == twist_->scale_y;
+        const Form x = even ? height * p_.x : height * p_.x * ky, y = even ? height * p_.y : height * p_.y * kx, unit = even ? kx : kx * ky;
         const Form u = x - n(0) * unit, v = y - n(1) * unit;
         if (s_.kind == SupportKind::kTurnedSide) return (n(3) - n(1)) * u - (n(2) - n(0)) * v;
         if (s_.kind == SupportKind::kTurnedParabola) return parabola(x, y, unit);
         return square(n(5) * u - n(3) * v) + square(n(2) * v - n(4) * u) - square((n(2) * n(5) - n(3) * n(4)) * unit);
     }
-    // v^2 - 4 u w in the weights of the three points, each times the triangle's area.
+    // v^2 - 4 u w in the weights of the three points, times the square of twice the triangle's area: of degree two, as the engine has it.
     Form parabola(const Form& x, const Form& y, const Form& unit) const {
-        const auto area = [](const Form& ax, const Form& ay, const Form& bx, const Form& by) { return ax * by - ay * bx; };
-        const Form ax = x - n(0) * unit, ay = y - n(1) * unit, cx = x - n(2) * unit, cy = y - n(3) * unit, bx = x - n(4) * unit, by = y - n(5) * unit;
-        return square(area(ax, ay, bx, by)) - Form(4.0) * area(cx, cy, bx, by) * area(ax, ay, cx, cy);
+        const Form px = x - n(0) * unit, py = y - n(1) * unit, ex = n(4) - n(0), ey = n(5) - n(1), fx = n(2) - n(0), fy = n(3) - n(1);
+        const Form area = ex * fy - ey * fx, two = Form(2.0), gx = two * fx - ex, gy = two * fy - ey;
+        const Form across = area * unit + gx * py - gy * px, along = two * (ex * py - ey * px) - area * unit;
+        return square(across) + area * unit * along;
     }
     Form quadric() const {
         const Form product[10] = {p_.x * p_.x, p_.y * p_.y, p_.z * p_.z, p_.x * p_.y, p_.x * p_.z, p_.y * p_.z, p_.x * p_.w, p_.y * p_.w, p_.z * p_.w, p_.w * p_.w};
