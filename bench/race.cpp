@@ -31,7 +31,7 @@ void add(const Answers& answers, Sum& sum) {
     for (std::size_t k = 0; k < kBatch; k += kSums)
         for (std::size_t j = 0; j < kSums; ++j) {
             const std::size_t i = k + j;
-            const bool met = (answers.t[i] >= 0) & (answers.t[i] < HUGE_VAL);
+            const bool met = answers.t[i] >= 0 && answers.t[i] < HUGE_VAL;
             const double all = answers.t[i] + answers.normal[0][i] + answers.normal[1][i] + answers.normal[2][i] + static_cast<double>(answers.surface[i]);
             sums[j] += met ? all : 0;
             hits[j] += met ? 1 : 0;
