@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <fmt/format.h>
 
@@ -73,14 +72,9 @@ std::string use_fault(const Subject& subject, const End& end, const Border& b) {
     return fmt::format("use {} does not change there", end.use);
 }
 
-bool has_turned_sides(const Program& program) {
-    return std::any_of(program.classes.begin(), program.classes.end(), [](const Support& s) { return is_turned(s.kind); });
-}
-
-// Does the program hold leaves that stand for a curved surface, or turned sides, of which double-double does not tell all? Only their ends may be uncertified.
+// Does the program hold leaves that stand for a curved surface? Only their ends may be uncertified.
 bool may_be_uncertified(const Program& program) {
-    return std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; }) ||
-           has_turned_sides(program);
+    return std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; });
 }
 
 std::string end_fault(const Subject& subject, const Ray& ray, const End& end, const Border& b, Tally& tally) {
@@ -130,27 +124,6 @@ std::string any_hit_fault(const Subject& subject, const Ray& ray, const Borders&
     const bool wanted = want.starts_inside || enters_before;
     if (any_hit(*subject.program, ray, t_max, scratch) == wanted) return {};
     return fmt::format("any_hit up to {:.17g}: not {}\n  reference{}", t_max, wanted, described(want));
-}
-
-// `why`, but for a solid with turned sides, which have no exact form, where the last question left something open or a move of the ray by little more than
-// rounding changes the exact answer: what double-double cannot tell apart is one place to the engine.
-std::string unless_open(const std::string& why, const Subject& subject, const Ray& ray, const Borders& want, const Scratch& scratch, std::mt19937_64& random, Tally& tally) {
-    if (why.empty() || !has_turned_sides(*subject.program)) return why;
-    bool open = scratch.impl->walker.context().any_unsettled();
-    const auto differs = [](const Border& a, const Border& b) { return a.entering != b.entering; };
-    for (int i = 0; i < 32 && !open && ray.departure == nullptr; ++i) {
-        Ray moved = ray;
-        std::uniform_real_distribution<double> little(-0x1p-46, 0x1p-46);
-        for (int k = 0; k < 3; ++k) {
-            moved.origin[k] += little(random) * (1 + length(ray.origin));
-            moved.direction[k] += little(random) * length(ray.direction);
-        }
-        const auto there = subject.exact->borders(moved).borders;
-        open = !std::equal(there.begin(), there.end(), want.borders.begin(), want.borders.end(), std::not_fn(differs));
-    }
-    if (!open) return why;
-    ++tally.open;
-    return {};
 }
 
 // A little way along, a ray that leaves a surface is where the plain ray is that starts there.
@@ -227,7 +200,7 @@ std::string disagreement(const Subject& subject, const Ray& ray, Scratch& scratc
         if (why.empty()) why = first_hit_fault(subject, ray, want, t_max, scratch, tally);
         if (why.empty()) why = any_hit_fault(subject, ray, want, t_max, scratch);
     }
-    return unless_open(why, subject, ray, want, scratch, random, tally);
+    return why;
 }
 
 std::string continuation_disagreement(const Subject& subject, const Ray& ray, Scratch& scratch, std::mt19937_64& random, Tally& tally) {
@@ -258,7 +231,6 @@ std::string continuation_disagreement(const Subject& subject, const Ray& ray, Sc
     std::string why = spans_fault(subject, next, want, scratch, first_error, tally);
     if (why.empty()) why = first_hit_fault(subject, next, want, HUGE_VAL, scratch, tally);
     if (why.empty()) why = any_hit_fault(subject, next, want, HUGE_VAL, scratch);
-    why = unless_open(why, subject, next, want, scratch, random, tally);
     return why.empty() ? why : told(why);
 }
 

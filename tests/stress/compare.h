@@ -24,7 +24,6 @@ Subject subject_of(const Solid& solid, bool snap);
 // What the comparisons met, so that a test can demand that they were not trivial.
 struct Tally {
     std::uint64_t pairs = 0, borders = 0, from_inside = 0, uncertified = 0, masked = 0, continued = 0, not_compiled = 0;
-    std::uint64_t open = 0;  // disagreements about turned sides where double-double, or the exact answer of a ray moved by rounding, leaves them open
     double worst_ratio = 0;  // |t - exact t| / t_error
 };
 

@@ -163,3 +163,40 @@ TEST_CASE("a taper that ends in a line has no films beyond its ends") {
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(taper, moved(2, 2, -1.5))}), moved(1.75, 2, 2)));
     CHECK(fault(solid, ray({0.25, 4, 2}, {-3.5, -5.75, -1.5})).empty());
 }
+
+TEST_CASE("a taper of a curve that ends in a line has no film beyond its ends") {
+    SolidBuilder b;
+    const NodeId taper = b.shape(shape::Extrusion{b.shape(shape::ParabolicSegment{{0, 0}, {0.25, 0.5}, {0.5, 0}}), 0, 0.75, 0, {0.5, 0}, 0});
+    const Placement squeezed{{1.1, 0, 0, 0, 0, 1.1, 0, 0, 0, 0, 0.5, 0}};
+    const Placement leaned{{-0x1.3c5833fd52c9fp-1, -0x1.8fa73a1f97e82p-1, 0x1.839a1437ddcb3p-4, 0, -0x1.8b0bfad16aa69p-1, 0x1.40088484d543cp-1, 0x1.e408302b4c944p-4, 0,
+                            -0x1.360c9c42e1dedp-3, 0, -0x1.fa1940f731606p-1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(taper, squeezed)}), leaned));
+    const Ray beyond = ray({-0x1.0ebd98af7e584p+0, 0x1.f8eee5a16dd67p+2, -0x1.af6f2e67efa1ep-1}, {-0x1.03143b72bcb38p-5, -0x1.ff54fbd2eea39p-1, 0x1.4875313b2bab5p-5});
+    CHECK(fault(solid, beyond).empty());
+}
+
+TEST_CASE("a ray that touches an unevenly tapered disc does not enter it") {
+    SolidBuilder b;
+    const NodeId profile = b.combine(SetOp::kUnion, {use(b.shape(shape::Disc{1.25}), moved(-1.25, 0, 0))});
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(b.shape(shape::Extrusion{profile, 0, 1.25, 0, {0.5, 1}, 0}))})));
+    CHECK(fault(solid, ray({-2.5, -1.25, 0}, {1, 0, 0})).empty());
+    CHECK(fault(solid, ray({-2.5, -1.25, 0.5}, {1, 0, 0})).empty());
+}
+
+TEST_CASE("flush tapers, turned there and back, leave the film that rounding leaves") {
+    SolidBuilder b;
+    const NodeId flat = b.shape(shape::Rectangle{{0, -1.25}, {1.9, 1.25}});
+    const NodeId straight = b.shape(shape::Extrusion{flat, 0, 1.5, 0, {0.5, 0}, 0});
+    const NodeId curved = b.shape(shape::Extrusion{b.combine(SetOp::kUnion, {use(b.shape(shape::Disc{0.75})), use(flat)}), 0, 1.5, 0, {0.5, 0}, 0});
+    const double c = 0x1.bb67ae8584caap-1;
+    const Placement there{{c, -0.5, 0, 0, 0.5, c, 0, 0, 0, 0, 1, 0}}, back{{c, 0.5, 0, 0, -0.5, c, 0, 0, 0, 0, 1, 0}};
+    const Placement leaned{{0x1.e8bdcee0c5b03p-1, 0x1.bf4a795048279p-3, 0x1.9f249e9822394p-3, 0, -0x1.b588dd7abfap-3, 0x1.f3a3b96255f0fp-1, -0x1.73a5b87a1a1afp-5, 0,
+                            -0x1.a969c4e34d05dp-3, 0, 0x1.f4d510a0e2df4p-1, 0}};
+    const Placement turned{{-0x1.87f58e4c8ffffp-1, 0x1.49695cc23a2e8p-1, 0, 0, -0x1.742cfd36e23a2p-3, -0x1.bad7e22d32b0ep-3, -0x1.eb26d24bd011dp-1, 0,
+                            -0x1.3bff8493230efp-1, -0x1.77ffb42dbce5cp-1, 0x1.213bdffc27101p-2, 0}};
+    const Placement far{{1e-4, 0, 0, 0x1.6a59eedf7d141p-2, 0, 1e-4, 0, 0x1.4823a0607fd71p-13, 0, 0, 1e-4, 0x1.16c9e9666d5f1p+6}};
+    const NodeId again = b.combine(SetOp::kUnion, {use(b.combine(SetOp::kUnion, {use(curved, leaned)}), there)});
+    const NodeId film = b.combine(SetOp::kDifference, {use(straight, leaned), use(again, back)});
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(b.combine(SetOp::kUnion, {use(film)}), turned)}), far));
+    CHECK(fault(solid, ray({0x1.6a4ae1c1db9f9p-2, -0x1.a3fb7669b8285p-11, 0x1.16c9e85f52fb1p+6}, {0, 0x1.a36e2eb1c432dp-14, 0})).empty());
+}

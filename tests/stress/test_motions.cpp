@@ -239,6 +239,7 @@ TEST_CASE("scaling by a power of two changes no bit") {
         for (const std::size_t k : {0u, 5u, 10u}) motion.m[k] = scale;
         const auto here = compile(solid.solid), there = compile(random_solid(theme, recipe, {}, motion).solid);
         if (!here || !there) continue;
+        INFO(support::to_code(solid.solid));
         for (int k = 0; k < 10; ++k) {
             Ray ray = support::random_ray(solid, random);
             for (int axis = 0; axis < 3; ++axis)
@@ -251,7 +252,6 @@ TEST_CASE("scaling by a power of two changes no bit") {
             INFO(name_of(theme) << " scale " << scale << " ray " << to_text(ray));
             REQUIRE(a.size() == b.size());
             for (std::size_t n = 0; n < a.size(); ++n) {
-                INFO(support::to_code(solid.solid));
                 INFO(fmt::format("t {:a}, bounds {:a} and {:a}, use {}", a[n].t, a[n].error, b[n].error, a[n].use));
                 REQUIRE(a[n].t == b[n].t);
                 REQUIRE((a[n].error == b[n].error || (a[n].error < kUnderflow && b[n].error < kUnderflow)));

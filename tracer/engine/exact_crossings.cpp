@@ -7,6 +7,8 @@
 #include "tracer/engine/bounded.h"
 #include "tracer/engine/fine_quartic.h"
 #include "tracer/engine/nudged.h"
+#include "tracer/engine/turned.h"
+#include "tracer/engine/turned_function.h"
 
 namespace whittle {
 
@@ -18,7 +20,8 @@ using exact::Polynomial;
 
 template <class N>
 LinePolynomial<N> polynomial_of(const Support& s, const Frame& frame, const std::array<N, 3>& origin, const Vec3& direction) {
-    return support_polynomial(s, line_in_frame<N>(frame, origin, direction));
+    const FrameLine<N> line = line_in_frame<N>(frame, origin, direction);
+    return is_turned(s.kind) ? turned::polynomial(s, *frame.twist, line) : support_polynomial(s, line);
 }
 
 template <class N>
@@ -49,10 +52,30 @@ Polynomial exact_polynomial(const Support& support, const Frame& frame, const Ra
     return r.empty() ? nudged_polynomial(support, frame, ray) : r;
 }
 
+namespace {
+
+// Of turned sides only what lies between counts.
+void keep_within(const TurnedWindow& window, std::vector<exact::RealRoot>& roots, std::int8_t& first_sign) {
+    const auto is_at_most = [](const exact::RealRoot& root, double t) { return exact::RealRoot::compare(root, exact::RealRoot::at(Dyadic(t))) <= 0; };
+    while (!roots.empty() && !(is_at_most(roots.back(), window.to) && window.from < window.to)) {
+        if (is_at_most(roots.back(), window.from)) break;
+        roots.pop_back();
+    }
+    while (!roots.empty() && is_at_most(roots.front(), window.from)) {
+        roots.erase(roots.begin());
+        first_sign = static_cast<std::int8_t>(-first_sign);
+    }
+}
+
+}  // namespace
+
 std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
-    const Polynomial p = exact_polynomial(support, frame, ray, leaving);
+    TurnedWindow window;
+    const bool windowed = is_turned(support.kind) && turned_window(*frame.twist, ray_in_frame(frame, ray), window);
+    const Polynomial p = exact_polynomial(support, frame, ray, leaving && !(windowed && !window.holds_origin()));
     auto roots = exact::sign_changes(p);
     out.first_sign = static_cast<std::int8_t>(p.empty() ? 1 : exact::sign_at_minus_infinity(p));
+    if (windowed) keep_within(window, roots, out.first_sign);
     out.count = static_cast<std::int8_t>(roots.size());
     for (std::size_t i = 0; i < roots.size(); ++i) roots[i].approximate(out.t[i], out.error[i]);
     return roots;

@@ -13,7 +13,7 @@ namespace whittle {
 // (csg/span/perturbation.h). `leaving`: the constant term is taken as zero (Ray::departure).
 exact::Polynomial exact_polynomial(const Support& support, const Frame& frame, const Ray& ray, bool leaving);
 
-// The same crossings as roots.h promises, decided exactly; t to the last place.
+// The same crossings as roots.h promises, decided exactly; t to the last place. Requires: not is_transcendental().
 std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
 
 // The same crossings in double-double. False: not decidable.

@@ -74,6 +74,15 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
     return frame_rays_[id];
 }
 
+bool RayContext::is_transcendental(ClassId id) const {
+    const Support& s = program_->classes[id];
+    return whittle::is_transcendental(s.kind, program_->frames[s.frame]);
+}
+
+void RayContext::leave_unsettled(ClassId id) {
+    if (!unsettled(id)) unsettled_.push_back(id);
+}
+
 bool RayContext::leaves(ClassId id) const {
     if (ray_.departure == nullptr) return false;
     for (int i = 0; i < ray_.departure->count; ++i)
@@ -87,7 +96,11 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
         if (filtered_turned(s, frame(s.frame), local, leaves(id), out)) return;
         ++counters_->escalated_double_double;
         if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
-        if (!unsettled(id)) unsettled_.push_back(id);
+        if (!is_transcendental(id)) {
+            out = exact(id).crossings;
+            return;
+        }
+        leave_unsettled(id);
         unsettled_turned(s, frame(s.frame), ray_, leaves(id), out);
         return;
     }
@@ -149,24 +162,18 @@ int RayContext::compare_closely(const Event& a, const Event& b) {
     return compare_exactly(a, b);
 }
 
-namespace {
-
-// A t that no class gave: the root of x - t.
-exact::RealRoot place(double t) {
-    const exact::Dyadic at(t);
-    return {{-at, exact::Dyadic(1.0)}, at - exact::Dyadic(1.0), at};
-}
-
-}  // namespace
-
 int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
-    // There is no exact form of a turned side: what double-double cannot tell apart is one place.
-    if (is_turned(a) || is_turned(b)) return 0;
+    // There is no exact form of a twisted side: what double-double cannot tell apart is one place.
+    for (const Event* e : {&a, &b}) {
+        if (e->id == kNoClass || !is_transcendental(e->id)) continue;
+        leave_unsettled(e->id);
+        return 0;
+    }
     ++counters_->escalated_exact;
     if (a.id == kNoClass) return -compare_exactly(b, a);
     const exact::RealRoot first = exact(a.id).roots[a.index];
-    if (b.id == kNoClass) return b.t == 0 ? first.sign() : exact::RealRoot::compare(first, place(b.t));
+    if (b.id == kNoClass) return b.t == 0 ? first.sign() : exact::RealRoot::compare(first, exact::RealRoot::at(exact::Dyadic(b.t)));
     return exact::RealRoot::compare(first, exact(b.id).roots[b.index]);
 }
 

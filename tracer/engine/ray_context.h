@@ -57,11 +57,11 @@ public:
         return compare_closely(a, b);
     }
 
-    // Is this a turned side whose crossings neither double nor double-double could settle? Not certain before it was asked for.
-    bool unsettled(ClassId id) const { return std::find(unsettled_.begin(), unsettled_.end(), id) != unsettled_.end(); }
+    // Is this a surface without an exact form?
+    bool is_transcendental(ClassId id) const;
 
-    // Is there one?
-    bool any_unsettled() const { return !unsettled_.empty(); }
+    // Is it one whose crossings, or their order among others, neither double nor double-double could settle? Not certain before it was asked for.
+    bool unsettled(ClassId id) const { return std::find(unsettled_.begin(), unsettled_.end(), id) != unsettled_.end(); }
 
     EngineCounters& counters() { return *counters_; }
     FacetSearch& facet_search() { return facet_search_; }
@@ -74,7 +74,7 @@ private:
     };
 
     bool leaves(ClassId id) const;
-    bool is_turned(const Event& e) const { return e.id != kNoClass && whittle::is_turned(program_->classes[e.id].kind); }
+    void leave_unsettled(ClassId id);
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
     int compare_closely(const Event& a, const Event& b);

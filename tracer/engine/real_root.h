@@ -25,6 +25,8 @@ Polynomial common_divisor(Polynomial a, Polynomial b);
 class RealRoot {
 public:
     RealRoot(Polynomial square_free, Dyadic lo, Dyadic hi) : p_(std::move(square_free)), lo_(std::move(lo)), hi_(std::move(hi)) {}
+    // A number that is no root of anything else: of x - t.
+    static RealRoot at(const Dyadic& t) { return {{-t, Dyadic(1.0)}, t - Dyadic(1.0), t}; }
     // -1, 0, 1 as a is before, at, behind b.
     static int compare(RealRoot a, RealRoot b);
     // Sign of the number.

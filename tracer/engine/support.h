@@ -57,7 +57,7 @@ enum class SupportKind : std::uint8_t {
     kTorus,       // centre p0-2, about the axis, radii p3 (ring), p4 (tube); both sheets
     kTorusCore,   // of the same torus: rho^2 + z^2 + R^2 - r^2
     kParabola,    // parallel to the axis, the quadratic Bezier curve from p0-1 to p4-5 with control point p2-3 in axis+1, axis+2
-    // Swept along the third axis of a frame with a twist (turned.h), given in the profile: not polynomials on a ray.
+    // Swept along the third axis of a frame with a twist (turned.h), given in the profile: polynomials on a ray only where it does not turn.
     kTurnedSide,     // the line through (p0,p1) and (p2,p3), inside on the left
     kTurnedEllipse,  // centre p0-1, the image of the unit disc under the matrix p2 p3 / p4 p5
     kTurnedParabola  // from p0-1 to p4-5 with control point p2-3
@@ -75,7 +75,10 @@ inline bool is_plane(SupportKind k) { return k <= SupportKind::kEdgePlane; }
 
 inline bool is_turned(SupportKind k) { return k >= SupportKind::kTurnedSide; }
 
-// Degree of the support's polynomial on a ray: 1, 2 or 4; 0 where it is none.
+// Is the support in the frame no algebraic surface, for which there is no exact tier?
+inline bool is_transcendental(SupportKind k, const Frame& frame) { return is_turned(k) && frame.twist->degrees != 0; }
+
+// Degree of the support's polynomial on a ray: 1, 2 or 4; 0 of turned sides, which may have none.
 inline int degree_of(SupportKind k) { return is_turned(k) ? 0 : is_plane(k) ? 1 : k == SupportKind::kTorus ? 4 : 2; }
 
 // A ray in a frame, homogeneous: local point = (o + t d) / w, with w > 0.
@@ -297,7 +300,7 @@ LinePolynomial<N> torus(const Support& s, const FrameLine<N>& l) {
 
 }  // namespace polynomial
 
-// The support's polynomial along a line given in its frame. Requires: it has one.
+// The support's polynomial along a line given in its frame. Requires: it is not turned.
 template <class N>
 LinePolynomial<N> support_polynomial(const Support& s, const FrameLine<N>& line) {
     if (is_plane(s.kind)) return polynomial::of(polynomial::plane(s, line));

@@ -87,49 +87,6 @@ bool turn(const N& angle, N& cosine, N& sine) {
     return true;
 }
 
-// The part of the ray that can matter: a little more than what lies in the piece's cylinder. The same for all sides of a piece, so that beyond it the formula
-// keeps the value it has at its ends, which is outside.
-struct Window {
-    double from = 0, to = 0;
-};
-
-// False: entering the frame rounds too much.
-bool window_of(const Twist& w, const FrameRay& ray, Window& out) {
-    const double height = w.to - w.from, room = kMargin * height, reach = w.reach * (1 + kMargin);
-    const double dd = ray.d[0] * ray.d[0] + ray.d[1] * ray.d[1];
-    double from = -HUGE_VAL, to = HUGE_VAL, elsewhere = 0;
-    if (dd > 0) {
-        const double closest = -(ray.o[0] * ray.d[0] + ray.o[1] * ray.d[1]) / dd;
-        const double x = ray.o[0] + closest * ray.d[0], y = ray.o[1] + closest * ray.d[1], rest = reach * reach - (x * x + y * y);
-        if (!std::isfinite(x + y)) return false;
-        const double half = rest < 0 ? -1 : std::sqrt(rest / dd);
-        from = closest - half;
-        to = closest + half;
-        elsewhere = closest;
-    } else if (std::hypot(ray.o[0], ray.o[1]) > reach) {
-        to = -HUGE_VAL;
-    }
-    if (ray.d[2] != 0) {
-        const double a = (w.from - room - ray.o[2]) / ray.d[2], b = (w.to + room - ray.o[2]) / ray.d[2];
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
-        elsewhere = a + 0.3819660113 * (b - a);
-    } else if (ray.o[2] < w.from - room || ray.o[2] > w.to + room) {
-        to = -HUGE_VAL;
-    }
-    // Where the piece's heights are out of its reach, any of them is outside; no symmetry favours this one.
-    if (!(from < to)) from = to = elsewhere;
-    if (!std::isfinite(from) || !std::isfinite(to)) return false;
-    const double far = std::max(std::abs(from), std::abs(to));
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double size = i == 2 ? height : w.reach;
-        const double rounding = ray.eo[i] + far * ray.ed[i] + 4 * kUnitRoundoff * (std::abs(ray.o[i]) + far * std::abs(ray.d[i]));
-        if (!(rounding < kPlain * size)) return false;
-    }
-    out = {from, to};
-    return true;
-}
-
 template <class N>
 struct TurnedRoots {
     std::array<N, Crossings::kMost> t;
@@ -168,8 +125,8 @@ public:
     }
 
     // `leaving`: t = 0 is a root.
-    bool roots(const Window& window, bool leaving, TurnedRoots<N>& out) {
-        leaving_ = leaving && window.from < 0 && window.to > 0;
+    bool roots(const TurnedWindow& window, bool leaving, TurnedRoots<N>& out) {
+        leaving_ = leaving && window.holds_origin();
         if (leaving_) {
             leaving_ = false;
             constant_ = at(N(0.0)).c[0];
@@ -202,7 +159,7 @@ private:
     }
 
     // A bound over the window of the first coefficient that is left out.
-    double rest_of(const Window& window) const {
+    double rest_of(const TurnedWindow& window) const {
         using T = Taylor<Size, kTerms + 1>;
         const double far = std::max(std::abs(window.from), std::abs(window.to));
         std::array<T, 3> x;
@@ -310,8 +267,8 @@ bool fine_line(const Frame& frame, const std::array<Bounded, 3>& origin, const V
 
 // `moved`: by that many times the vectors of the perturbation.
 bool fine_roots(const Support& support, const Frame& frame, const Ray& ray, bool leaving, double moved, TurnedRoots<Bounded>& roots) {
-    Window window;
-    if (!window_of(*frame.twist, ray_in_frame(frame, ray), window)) return false;
+    TurnedWindow window;
+    if (!turned_window(*frame.twist, ray_in_frame(frame, ray), window)) return false;
     std::array<Bounded, 3> origin, o, d;
     for (int i = 0; i < 3; ++i) origin[static_cast<std::size_t>(i)] = Bounded(ray.origin[i]) + Bounded(moved * kPerturbation[0][i]);
     if (!fine_line(frame, origin, ray.direction, o, d)) return false;
@@ -332,9 +289,45 @@ bool as_crossings(const TurnedRoots<Bounded>& roots, Crossings& out) {
 
 }  // namespace
 
+bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
+    const double height = w.to - w.from, room = kMargin * height, reach = w.reach * (1 + kMargin);
+    const double dd = ray.d[0] * ray.d[0] + ray.d[1] * ray.d[1];
+    double from = -HUGE_VAL, to = HUGE_VAL, elsewhere = 0;
+    if (dd > 0) {
+        const double closest = -(ray.o[0] * ray.d[0] + ray.o[1] * ray.d[1]) / dd;
+        const double x = ray.o[0] + closest * ray.d[0], y = ray.o[1] + closest * ray.d[1], rest = reach * reach - (x * x + y * y);
+        if (!std::isfinite(x + y)) return false;
+        const double half = rest < 0 ? -1 : std::sqrt(rest / dd);
+        from = closest - half;
+        to = closest + half;
+        elsewhere = closest;
+    } else if (std::hypot(ray.o[0], ray.o[1]) > reach) {
+        to = -HUGE_VAL;
+    }
+    if (ray.d[2] != 0) {
+        const double a = (w.from - room - ray.o[2]) / ray.d[2], b = (w.to + room - ray.o[2]) / ray.d[2];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+        elsewhere = a + 0.3819660113 * (b - a);
+    } else if (ray.o[2] < w.from - room || ray.o[2] > w.to + room) {
+        to = -HUGE_VAL;
+    }
+    // Where the piece's heights are out of its reach, any of them is outside; no symmetry favours this one.
+    if (!(from < to)) from = to = elsewhere;
+    if (!std::isfinite(from) || !std::isfinite(to)) return false;
+    const double far = std::max(std::abs(from), std::abs(to));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double size = i == 2 ? height : w.reach;
+        const double rounding = ray.eo[i] + far * ray.ed[i] + 4 * kUnitRoundoff * (std::abs(ray.o[i]) + far * std::abs(ray.d[i]));
+        if (!(rounding < kPlain * size)) return false;
+    }
+    out = {from, to};
+    return true;
+}
+
 bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out) {
-    Window window;
-    if (!window_of(*frame.twist, ray, window)) return false;
+    TurnedWindow window;
+    if (!turned_window(*frame.twist, ray, window)) return false;
     std::array<Near, 3> o, d;
     for (std::size_t i = 0; i < 3; ++i) {
         o[i] = Near::within(ray.o[i], ray.eo[i]);

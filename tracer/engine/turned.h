@@ -1,15 +1,26 @@
 // turned.h — crossings of a ray with a turned side: the surface that a curve of a profile sweeps while it is turned and scaled on its way up.
 //
-// On a ray its function is a polynomial in t and in the sine and cosine of an angle linear in t. It has no exact form; but a double t can be certified: by
-// interval bounds no sign change lies elsewhere, and the function's sign differs for certain a little before t and a little behind it. What neither double
-// nor double-double settles is answered for a ray moved by 2^-40 of the size, and said to be uncertified. docs/numerics.md.
+// On a ray its function is a polynomial in t and in the sine and cosine of an angle linear in t. A double t can be certified: by interval bounds no sign
+// change lies elsewhere, and the function's sign differs for certain a little before t and a little behind it. Where nothing turns, an uneven taper, it is a
+// polynomial, and what double-double does not settle the exact tier does (exact_crossings.h). Of twists, which have no exact form, it is answered for a ray
+// moved a little, and said to be uncertified. docs/numerics.md.
 #pragma once
 
 #include "tracer/engine/roots.h"
 
 namespace whittle {
 
-// Requires of all: is_turned(support.kind), and the frame is the support's.
+// The part of the ray that can matter: a little more than what lies in the piece's cylinder. The same for all sides of a piece, so that beyond it the formula
+// keeps the value it has at its ends, which is outside.
+struct TurnedWindow {
+    double from = 0, to = 0;
+    bool holds_origin() const { return from < 0 && to > 0; }
+};
+
+// False: entering the frame rounds too much.
+bool turned_window(const Twist& twist, const FrameRay& ray, TurnedWindow& out);
+
+// Requires of what follows: is_turned(support.kind), and the frame is the support's.
 
 // False: double cannot tell.
 bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out);

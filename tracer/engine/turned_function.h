@@ -120,20 +120,20 @@ T curve(const Support& s, const T& x, const T& y, const T& unit) {
     return square(across) + whole * (unit * along);
 }
 
-// At the point x of the frame, where cosine and sine are those of the angle at its height.
-template <class T>
-T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine) {
+// At the point x of the frame, where cosine and sine are those of the angle at its height; in homogeneous coordinates `weighted` multiplies by the last of them.
+template <class T, class Weighted>
+T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine, const Weighted& weighted) {
     using K = typename T::Number;
-    T u = x[0], v = x[1], unit = T(K(1.0));
+    T u = x[0], v = x[1], unit = weighted(K(1.0));
     if (w.scale_x != 1 || w.scale_y != 1) {
         const K height = K(w.z1) - K(w.z0);
-        const T up = x[2] - T(K(w.z0)), kx = (K(w.scale_x) - K(1.0)) * up + T(height);
+        const T up = x[2] - weighted(K(w.z0)), kx = (K(w.scale_x) - K(1.0)) * up + weighted(height);
         if (w.scale_x == w.scale_y) {
             u = height * u;
             v = height * v;
             unit = kx;
         } else {
-            const T ky = (K(w.scale_y) - K(1.0)) * up + T(height);
+            const T ky = (K(w.scale_y) - K(1.0)) * up + weighted(height);
             u = height * (u * ky);
             v = height * (v * kx);
             unit = kx * ky;
@@ -141,6 +141,20 @@ T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T&
     }
     if (w.degrees == 0) return curve(s, u, v, unit);
     return curve(s, cosine * u - sine * v, sine * u + cosine * v, unit);
+}
+
+template <class T>
+T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine) {
+    return function(s, w, x, cosine, sine, [](const typename T::Number& k) { return T(k); });
+}
+
+// Along a line of the frame. Requires: no twist, then it is a polynomial.
+template <class N>
+LinePolynomial<N> polynomial(const Support& s, const Twist& w, const FrameLine<N>& line) {
+    using T = Taylor<N, 4>;
+    std::array<T, 3> x;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = {line.o[i], line.d[i]};
+    return {function(s, w, x, T(N(1.0)), T(), [&](const N& k) { return T(k * line.w); }).c, 4};
 }
 
 }  // namespace turned

@@ -387,7 +387,7 @@ bool Walker::are_certain(const std::vector<Cause>& causes) const {
             if (!is_turned_side(id)) break;
             if (context_.unsettled(id)) return false;
         }
-        if (!is_turned_side(c.event.id)) continue;
+        if (!context_.is_transcendental(c.event.id)) continue;
         for (const Cause& other : causes)
             if (other.event.id != c.event.id) return false;
     }
