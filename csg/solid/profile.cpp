@@ -16,6 +16,7 @@ namespace {
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
+using Long = long double;
 
 // Bits of a coordinate on the grid: Clipper takes up to 62.
 constexpr int kGridBits = 44;
@@ -62,19 +63,25 @@ public:
     bool is_finite() const { return std::isfinite(scale_) && scale_ > 0; }
 
     // Corners that were given keep their bits.
-    Contours contours(const Paths& paths) const {
-        Contours out;
+    RoundedContours contours(const Paths& paths) const {
+        RoundedContours out;
         for (const Path& path : paths) {
-            auto& contour = out.emplace_back();
+            auto& contour = out.contours.emplace_back();
             for (const IntPoint& p : path) {
                 const auto given = given_.find(p);
-                contour.push_back(given != given_.end() ? given->second : Vec2(static_cast<double>(p.X) / scale_, static_cast<double>(p.Y) / scale_));
+                const bool made = given == given_.end();
+                contour.push_back(made ? Vec2(static_cast<double>(p.X) / scale_, static_cast<double>(p.Y) / scale_) : given->second.at);
+                out.rounding = std::max(out.rounding, made ? 1 / scale_ : given->second.rounding);
             }
         }
         return out;
     }
 
 private:
+    struct Given {
+        Vec2 at;
+        double rounding = 0;  // of its placing
+    };
     struct Hash {
         std::size_t operator()(const IntPoint& p) const { return static_cast<std::size_t>(p.X) * 0x9E3779B97F4A7C15u + static_cast<std::size_t>(p.Y); }
     };
@@ -94,8 +101,9 @@ private:
         Path path;
         for (const Vec2& p : points) {
             const Vec3 q = apply_to_point(placement, {p.x, p.y, 0});
+            const auto off = [&](int i) { return std::abs(static_cast<double>(placement.linear(i, 0) * Long(p.x) + placement.linear(i, 1) * Long(p.y) + placement.offset(i) - q[i])); };
             path.emplace_back(std::llround(q.x * scale_), std::llround(q.y * scale_));
-            given_.emplace(path.back(), Vec2(q.x, q.y));
+            given_.emplace(path.back(), Given{Vec2(q.x, q.y), std::max(off(0), off(1))});
         }
         return path;
     }
@@ -137,12 +145,14 @@ private:
     const Solid& solid_;
     double tolerance_;
     double scale_;
-    std::unordered_map<IntPoint, Vec2, Hash> given_;
+    std::unordered_map<IntPoint, Given, Hash> given_;
 };
 
 }  // namespace
 
-Contours contours_of(const Solid& solid, NodeId node, double tolerance) {
+Contours contours_of(const Solid& solid, NodeId node, double tolerance) { return rounded_contours_of(solid, node, tolerance).contours; }
+
+RoundedContours rounded_contours_of(const Solid& solid, NodeId node, double tolerance) {
     Clipping clipping(solid, node, tolerance);
     if (!clipping.is_finite()) return {};
     return clipping.contours(clean_paths(clipping.of_node(node, {})));

@@ -87,14 +87,15 @@ struct Operands {
 struct Law {
     const char* name;
     std::function<Use(Operands&)> left, right;  // equal sets
+    bool of_one = false;                        // of A alone
 };
 
 const std::vector<Law>& laws() {
     static const std::vector<Law> list{
-        {"A - A' is empty", [](Operands& o) { return o.less(o.a, o.a_again); }, [](Operands&) { return use(kEmptyNode); }},
-        {"A' - A is empty", [](Operands& o) { return o.less(o.a_again, o.a); }, [](Operands&) { return use(kEmptyNode); }},
-        {"A | A' = A", [](Operands& o) { return o.either(o.a, o.a_again); }, [](Operands& o) { return o.a; }},
-        {"A & A' = A", [](Operands& o) { return o.both(o.a, o.a_again); }, [](Operands& o) { return o.a; }},
+        {"A - A' is empty", [](Operands& o) { return o.less(o.a, o.a_again); }, [](Operands&) { return use(kEmptyNode); }, true},
+        {"A' - A is empty", [](Operands& o) { return o.less(o.a_again, o.a); }, [](Operands&) { return use(kEmptyNode); }, true},
+        {"A | A' = A", [](Operands& o) { return o.either(o.a, o.a_again); }, [](Operands& o) { return o.a; }, true},
+        {"A & A' = A", [](Operands& o) { return o.both(o.a, o.a_again); }, [](Operands& o) { return o.a; }, true},
         {"A - (A' - B) = A & B", [](Operands& o) { return o.less(o.a, o.less(o.a_again, o.b)); }, [](Operands& o) { return o.both(o.a, o.b); }},
         {"(A - B) | (A' & B') = A", [](Operands& o) { return o.either(o.less(o.a, o.b), o.both(o.a_again, o.b_again)); }, [](Operands& o) { return o.a; }},
         {"not (A | B) = not A & not B", [](Operands& o) { return o.outside(o.either(o.a, o.b)); },
@@ -151,6 +152,8 @@ bool is_masked(const Program& program, const Ray& ray, Scratch& scratch, std::mt
     return false;
 }
 
+constexpr double kRoundingOfPlaces = 0x1p-44;  // some units of the largest coordinates
+
 struct Count {
     std::size_t met = 0, rays = 0, masked = 0;
 };
@@ -173,9 +176,12 @@ void check_law(const Law& law, const Fresh& fresh, int rays, double sliver, std:
         count.met += y.size();
         ++count.rays;
         if (alike(x, y)) continue;
+        ++count.masked;
+        // A that touches B where one of them bends has a film there as thick as the roundings in which two writings of B differ, for all rays around.
+        const double film = kRoundingOfPlaces / length(ray.direction);
+        if (!law.of_one && alike(without_slivers(x, film), without_slivers(y, film))) continue;
         INFO(law.name << ", ray " << to_text(ray) << "\n  " << to_code(left) << "\n  " << to_code(right));
         CHECK((is_masked(**p, ray, scratch, random) || is_masked(**q, ray, scratch, random)));
-        ++count.masked;
     }
 }
 

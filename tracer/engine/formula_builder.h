@@ -81,7 +81,11 @@ private:
     FormulaId turned_shape(NodeId id, const Shape& shape, const Site& site);
     // A set of straight sides.
     FormulaId turned_polygons(NodeId id, const Site& site);
-    FormulaId turned_rings(const std::vector<std::vector<Vec2>>& rings, const Site& site);
+    Vec2 turned_image(Vec2 p, const Site& site);
+    // In both coordinates of a profile in the placement, for the report.
+    void note_rounding(double length, const Placement& placement);
+    // The profile's contours, their rounding noted. `placement`: of the profile.
+    std::vector<std::vector<Vec2>> profile_rings(NodeId profile, const Placement& placement);
     FormulaId turned_ring(const std::vector<Vec2>& ring, const Site& site);
     // `around`: their convex hull holds the cell's section before it is turned.
     FormulaId turned_cell(const std::vector<Vec2>& around, const Site& site, const std::function<std::vector<HalfSpaceRef>(Placer&)>& sides);

@@ -32,12 +32,6 @@ std::array<double, 10> swept_side(Vec2 p, Vec2 q, const Scales& k) {
     return {0, 0, c * k.x1 * k.y1, 0, d.y * k.y1, -d.x * k.x1, d.y * k.y0, -d.x * k.x0, c * (k.x0 * k.y1 + k.x1 * k.y0), c * k.x0 * k.y0};
 }
 
-bool is_convex(const std::vector<Vec2>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        if (turn_of(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) < 0) return false;
-    return true;
-}
-
 }  // namespace
 
 bool FormulaBuilder::has_straight_sides(NodeId profile) const {
@@ -57,24 +51,23 @@ HalfSpaceRef FormulaBuilder::stretched_side(Placer& placer, const shape::Extrusi
     return side;
 }
 
+void FormulaBuilder::note_rounding(double length, const Placement& placement) {
+    const double longest = std::max(glm::length(Vec3(placement.m[0], placement.m[4], placement.m[8])), glm::length(Vec3(placement.m[1], placement.m[5], placement.m[9])));
+    out_.largest_displacement = std::max(out_.largest_displacement, 2 * longest * std::abs(length));
+}
+
+std::vector<std::vector<Vec2>> FormulaBuilder::profile_rings(NodeId profile, const Placement& placement) {
+    const Bounds& flat = solid_.bounds(profile);
+    RoundedContours made = rounded_contours_of(solid_, profile, kProfileTolerance * glm::length(flat.hi - flat.lo));
+    note_rounding(made.rounding, placement);
+    return std::move(made.contours);
+}
+
 FormulaId FormulaBuilder::stretched(NodeId id, const shape::Extrusion& e, const Site& site) {
-    const Bounds& flat = solid_.bounds(e.profile);
-    std::vector<std::vector<Vec2>> parts = contours_of(solid_, e.profile, kProfileTolerance * glm::length(flat.hi - flat.lo));
-    if (parts.size() != 1 || !is_convex(parts[0])) {
-        std::vector<Vec2> points;
-        std::vector<std::vector<std::uint32_t>> rings;
-        for (const auto& ring : parts) {
-            auto& indices = rings.emplace_back();
-            for (const Vec2& p : ring) indices.push_back(static_cast<std::uint32_t>(points.size())), points.push_back(p);
-        }
-        const auto triangles = ear_clipped(points, rings);
-        if (!triangles) return faceted(id, site);
-        parts.clear();
-        for (const auto& t : *triangles)
-            if (turn_of(points[t[0]], points[t[1]], points[t[2]]) > 0) parts.push_back({points[t[0]], points[t[1]], points[t[2]]});
-    }
+    const auto parts = convex_rings(profile_rings(e.profile, site.chain.whole()));
+    if (!parts) return faceted(id, site);
     std::vector<FormulaId> cells;
-    for (const auto& part : parts) {
+    for (const auto& part : *parts) {
         Bounds box;
         for (const Vec2& p : part)
             for (const Vec3& corner : {Vec3(p, e.z0), Vec3(p * e.scale_top, e.z1)}) box = box.empty() ? Bounds{corner, corner} : Bounds{glm::min(box.lo, corner), glm::max(box.hi, corner)};

@@ -9,7 +9,6 @@
 #include "csg/base/degrees.h"
 #include "csg/solid/ear_clipping.h"
 #include "csg/solid/predicates.h"
-#include "csg/solid/profile.h"
 #include "tracer/engine/formula_builder.h"
 
 namespace whittle {
@@ -20,19 +19,9 @@ constexpr double kMostDegrees = 45;        // of a piece
 constexpr double kMostPieces = 1 << 14;
 constexpr double kOutward = 1 + 0x1p-30;   // of boxes and reaches: far over what rounds them
 
-Vec2 flat_image(const Placement& m, Vec2 p) {
-    return {m.linear(0, 0) * p.x + m.linear(0, 1) * p.y + m.offset(0), m.linear(1, 0) * p.x + m.linear(1, 1) * p.y + m.offset(1)};
-}
-
-bool is_convex(const std::vector<Vec2>& ring) {
-    const std::size_t n = ring.size();
-    int changes = 0;
-    const auto rises = [&](std::size_t i) { return ring[i % n].x < ring[(i + 1) % n].x || (ring[i % n].x == ring[(i + 1) % n].x && ring[i % n].y < ring[(i + 1) % n].y); };
-    for (std::size_t i = 0; i < n; ++i) {
-        if (turn_of(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) <= 0) return false;
-        changes += rises(i) != rises(i + 1);
-    }
-    return n >= 3 && changes == 2;
+Placement without_offset(Placement p) {
+    for (const std::size_t i : {3u, 7u, 11u}) p.m[i] = 0;
+    return p;
 }
 
 void include(Bounds& box, const Vec3& p) { box = box.empty() ? Bounds{p, p} : Bounds{glm::min(box.lo, p), glm::max(box.hi, p)}; }
@@ -129,32 +118,24 @@ FormulaId FormulaBuilder::turned_ring(const std::vector<Vec2>& ring, const Site&
     });
 }
 
-// Rings that do not cross: outer ones counter-clockwise.
-FormulaId FormulaBuilder::turned_rings(const std::vector<std::vector<Vec2>>& rings, const Site& site) {
-    if (rings.empty()) return constant(site.negated);
-    if (rings.size() == 1 && is_convex(rings[0])) return turned_ring(rings[0], site);
-    std::vector<Vec2> points;
-    std::vector<std::vector<std::uint32_t>> indices;
-    for (const auto& ring : rings) {
-        auto& into = indices.emplace_back();
-        for (const Vec2& p : ring) into.push_back(static_cast<std::uint32_t>(points.size())), points.push_back(p);
+// The point of the profile where the extrusion sees it, rounded once.
+Vec2 FormulaBuilder::turned_image(Vec2 p, const Site& site) {
+    const Placement map = site.chain.whole();
+    Vec2 r;
+    for (int i = 0; i < 2; ++i) {
+        const Wide x = Wide(map.linear(i, 0)) * p.x + Wide(map.linear(i, 1)) * p.y + map.offset(i);
+        r[i] = to_double(x);
+        note_rounding(to_double(x - r[i]), site.turning->chain.whole());
     }
-    const auto triangles = ear_clipped(points, indices);
-    if (!triangles) {
-        site.turning->failed = true;
-        return constant(site.negated);
-    }
-    std::vector<FormulaId> cells;
-    for (const auto& t : *triangles)
-        if (turn_of(points[t[0]], points[t[1]], points[t[2]]) > 0) cells.push_back(turned_ring({points[t[0]], points[t[1]], points[t[2]]}, site));
-    return any_of(std::move(cells), site);
+    return r;
 }
 
 FormulaId FormulaBuilder::turned_shape(NodeId id, const Shape& shape, const Site& site) {
-    const Placement map = site.chain.whole();
-    const auto at = [&](Vec2 p) { return flat_image(map, p); };
+    const auto at = [&](Vec2 p) { return turned_image(p, site); };
     if (const auto* disc = std::get_if<shape::Disc>(&shape)) {
-        const Vec2 centre = at(Vec2(0)), u(map.linear(0, 0) * disc->r, map.linear(1, 0) * disc->r), v(map.linear(0, 1) * disc->r, map.linear(1, 1) * disc->r);
+        Site about_centre = site;
+        about_centre.chain = Chain().then(without_offset(site.chain.whole()));
+        const Vec2 centre = at(Vec2(0)), u = turned_image({disc->r, 0}, about_centre), v = turned_image({0, disc->r}, about_centre);
         return turned_cell({centre - u - v, centre + u - v, centre + u + v, centre - u + v}, site,
                            [&](Placer& p) { return std::vector<HalfSpaceRef>{p.turned_ellipse(centre, u, v)}; });
     }
@@ -171,14 +152,21 @@ FormulaId FormulaBuilder::turned_shape(NodeId id, const Shape& shape, const Site
 
 FormulaId FormulaBuilder::turned_polygons(NodeId id, const Site& site) {
     const Placement map = site.chain.whole();
-    const Bounds& flat = solid_.bounds(id);
-    std::vector<std::vector<Vec2>> rings = contours_of(solid_, id, kProfileTolerance * glm::length(flat.hi - flat.lo));
+    std::vector<std::vector<Vec2>> rings = profile_rings(id, site.turning->chain.whole() * map);
     const bool mirrored = map.linear(0, 0) * map.linear(1, 1) - map.linear(0, 1) * map.linear(1, 0) < 0;
     for (auto& ring : rings) {
-        for (Vec2& p : ring) p = flat_image(map, p);
+        for (Vec2& p : ring) p = turned_image(p, site);
         if (mirrored) std::reverse(ring.begin(), ring.end());
     }
-    return turned_rings(rings, site);
+    if (rings.empty()) return constant(site.negated);
+    const auto parts = convex_rings(std::move(rings));
+    if (!parts) {
+        site.turning->failed = true;
+        return constant(site.negated);
+    }
+    std::vector<FormulaId> cells;
+    for (const auto& ring : *parts) cells.push_back(turned_ring(ring, site));
+    return any_of(std::move(cells), site);
 }
 
 }  // namespace whittle
