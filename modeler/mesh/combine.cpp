@@ -11,7 +11,7 @@
 #include "csg/base/module_file.h"
 #include "modeler/arrange/box_tree.h"
 #include "modeler/arrange/sets.h"
-#include "modeler/mesh/file_text.h"
+#include "modeler/mesh/own_points.h"
 
 namespace whittle {
 namespace {

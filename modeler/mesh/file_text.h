@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "modeler/mesh/mesh_files.h"
+#include "modeler/mesh/own_points.h"
 
 namespace whittle {
 
@@ -63,12 +64,8 @@ private:
 // `text` as XML's character data or attribute value.
 std::string xml_escaped(std::string_view text);
 
-// The mesh in float32, equal points joined again; triangles keep their leaves.
+// The mesh in float32, equal points joined again but where parts only touch; triangles keep their leaves.
 Mesh in_single_precision(const Mesh& mesh);
-
-// The same surface with points of their own for parts that touch in an edge or a point only: every edge has two triangles, every point one fan of
-// them. Where parts touch along an edge, the sides of one part stay together. Requires: closed.
-Mesh with_own_points(const Mesh& mesh);
 
 std::string write_3mf(const std::vector<MeshPart>& parts);
 std::string write_amf(const std::vector<MeshPart>& parts);

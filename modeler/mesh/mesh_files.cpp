@@ -173,7 +173,10 @@ FileColors::FileColors(const MeshResult& result) {
 
 Mesh in_single_precision(const Mesh& mesh) {
     MeshControl nobody;
-    return settled_in_single(mesh, nobody).mesh;
+    Mesh out = settled_in_single(mesh, nobody).mesh;
+    divide_knots(out);
+    for (Vec3& p : out.points) p = Vec3(glm::vec3(p));
+    return with_own_points(out);
 }
 
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "modeler/arrange/sets.h"
-#include "modeler/mesh/file_text.h"
 #include "modeler/mesh/mesh.h"
+#include "modeler/mesh/own_points.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {

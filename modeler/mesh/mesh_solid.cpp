@@ -7,6 +7,7 @@
 
 #include "modeler/arrange/crossings.h"
 #include "modeler/mesh/combine.h"
+#include "modeler/mesh/own_points.h"
 #include "modeler/mesh/planner.h"
 #include "modeler/mesh/settle.h"
 #include "modeler/mesh/weld.h"
@@ -89,6 +90,7 @@ void settle(const Planner& planner, const Instance& root, const Parts& parts, Me
     }
     if (crossings > 0) result.warnings.push_back(fmt::format("{} pairs of facets cross after rounding to double", crossings));
     result.report = report_mesh(result.mesh);
+    if (result.report.shared_edges > 0 && divide_knots(result.mesh) > 0) result.report = report_mesh(result.mesh);
     result.report.self_intersections = crossings;
 }
 

@@ -1,11 +1,10 @@
-// own_points.cpp — see file_text.h.
 // Source: Guéziec, Taubin, Lazarus, Horn, Converting Sets of Polygons to Manifold Surfaces by Cutting and Stitching (1998).
+#include "modeler/mesh/own_points.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
-
-#include "modeler/mesh/file_text.h"
 
 namespace whittle {
 namespace {
@@ -113,6 +112,55 @@ Mesh with_own_points(const Mesh& mesh) {
         out.triangles.push_back(t);
     }
     return out;
+}
+
+namespace {
+
+std::uint64_t edge_of(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+
+// Edges of `mesh` that more than two triangles share though parts that touch have points of their own.
+std::vector<std::uint64_t> knots_of(const Mesh& mesh) {
+    const Mesh own = with_own_points(mesh);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> sides;  // by its own edge, the edge in `mesh`
+    sides.reserve(mesh.triangles.size() * 3);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle &t = own.triangles[i], &was = mesh.triangles[i];
+            sides.emplace_back(edge_of(t[k], t[(k + 1) % 3]), edge_of(was[k], was[(k + 1) % 3]));
+        }
+    std::sort(sides.begin(), sides.end());
+    std::vector<std::uint64_t> knots;
+    for (std::size_t i = 2; i < sides.size(); ++i)
+        if (sides[i].first == sides[i - 2].first) knots.push_back(sides[i].second);
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    return knots;
+}
+
+}  // namespace
+
+std::size_t divide_knots(Mesh& mesh) {
+    std::map<std::uint64_t, std::uint32_t> middles;
+    for (const std::uint64_t edge : knots_of(mesh)) {
+        const Vec3 a = mesh.points[edge >> 32], b = mesh.points[edge & 0xFFFFFFFF], middle = 0.5 * (a + b);
+        if (middle == a || middle == b) continue;
+        middles.emplace(edge, static_cast<std::uint32_t>(mesh.points.size()));
+        mesh.points.push_back(middle);
+    }
+    if (middles.empty()) return 0;
+    // A triangle is cut from the middle of a side to the corner opposite; what is cut off comes behind all others and is looked at in turn.
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            Triangle& t = mesh.triangles[i];
+            const auto found = middles.find(edge_of(t[k], t[(k + 1) % 3]));
+            if (found == middles.end()) continue;
+            Triangle rest = t;
+            rest[k] = found->second;
+            t[(k + 1) % 3] = found->second;
+            mesh.triangles.push_back(rest);
+            if (!mesh.leaf.empty()) mesh.leaf.push_back(mesh.leaf[i]);
+        }
+    return middles.size();
 }
 
 }  // namespace whittle

@@ -6,9 +6,9 @@
 #include "modeler/arrange/crossings.h"
 #include "modeler/mesh/cgal/remesh_module.h"
 #include "modeler/mesh/deviation.h"
-#include "modeler/mesh/file_text.h"
 #include "modeler/mesh/mesh_queries.h"
 #include "modeler/mesh/openmesh/simplify_module.h"
+#include "modeler/mesh/own_points.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {

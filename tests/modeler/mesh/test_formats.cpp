@@ -1,4 +1,5 @@
 // test_formats.cpp — 3MF, AMF, glTF, OpenMesh and materials: whole, with their parts and colours, and readable by others.
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -202,6 +203,18 @@ TEST_CASE("an OBJ names a material a colour, and the file beside it has them") {
     CHECK(mass_properties(*read).volume == Approx(961));
 }
 
+namespace {
+
+// Has every edge two triangles, one each way?
+bool is_manifold(const std::vector<Triangle>& triangles) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const Triangle& t : triangles)
+        for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    return std::all_of(edges.begin(), edges.end(), [&](const auto& e) { return e.second == 1 && edges.count({e.first.second, e.first.first}) == 1; });
+}
+
+}  // namespace
+
 TEST_CASE("parts that touch along an edge keep points of their own: every edge has two facets") {
     SolidBuilder b;
     const NodeId box = b.shape(shape::Box{Vec3(0), Vec3(1)});
@@ -211,14 +224,25 @@ TEST_CASE("parts that touch along an edge keep points of their own: every edge h
     REQUIRE(report_mesh(mesh).shared_edges > 0);
     const Mesh own = with_own_points(mesh);
     CHECK(own.triangles.size() == mesh.triangles.size());
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (const Triangle& t : own.triangles)
-        for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-    for (const auto& [edge, count] : edges) {
-        CHECK(count == 1);
-        CHECK(edges.count({edge.second, edge.first}) == 1);
-    }
+    CHECK(is_manifold(own.triangles));
     CHECK(own.points.size() == 24);  // three boxes apart
+}
+
+TEST_CASE("where two pits meet along an edge within a block, the edge gets a point in its middle, and every edge has two facets") {
+    SolidBuilder b;
+    const NodeId block = b.shape(shape::Box{Vec3(-3), Vec3(3)}), pit = b.shape(shape::Box{Vec3(0), Vec3(1)});
+    Use root;
+    root.node = b.combine(SetOp::kDifference, {at(block), at(pit), at(pit, {-1, -1, 0})});
+    const MeshResult made = mesh_of(b.finish(root));
+    CHECK(made.report.valid());
+    CHECK(made.report.self_intersections == 0U);
+    CHECK(made.report.shared_edges == 2);  // halves
+    CHECK(volume(made) == Approx(214));
+    CHECK(is_manifold(with_own_points(made.mesh).triangles));
+    CHECK(is_manifold(in_single_precision(made.mesh).triangles));
+    Mesh twice = made.mesh;
+    CHECK(divide_knots(twice) == 0);
+    CHECK(twice == made.mesh);
 }
 
 TEST_CASE("an archive unpacks to what was packed, and says what is damaged") {
