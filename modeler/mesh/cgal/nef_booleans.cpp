@@ -1,11 +1,11 @@
 // Source: Hachenberger, Kettner, Mehlhorn, Boolean operations on 3D selective Nef complexes (2007); CGAL 5.5 manual. Nef polyhedra hold every set of points that
 // half-spaces make, so nothing is declined; the price is time and memory.
-#undef NDEBUG
 #include "modeler/mesh/cgal/nef_booleans.h"
+
+#include "modeler/mesh/cgal/cgal_surface.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 
 #include <array>
@@ -24,11 +24,7 @@ Point exact(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 bool nef_of(const Mesh& mesh, Nef& nef) {
     Surface s;
-    for (const Vec3& p : mesh.points) s.add_vertex(exact(p));
-    using Vertex = Surface::Vertex_index;
-    for (const Triangle& t : mesh.triangles)
-        if (s.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Surface::null_face()) return false;
-    if (!CGAL::is_closed(s)) return false;
+    if (!surface_of(mesh, s) || !CGAL::is_closed(s)) return false;
     nef = Nef(s);
     return true;
 }
