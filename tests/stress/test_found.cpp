@@ -200,3 +200,15 @@ TEST_CASE("flush tapers, turned there and back, leave the film that rounding lea
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(b.combine(SetOp::kUnion, {use(film)}), turned)}), far));
     CHECK(fault(solid, ray({0x1.6a4ae1c1db9f9p-2, -0x1.a3fb7669b8285p-11, 0x1.16c9e85f52fb1p+6}, {0, 0x1.a36e2eb1c432dp-14, 0})).empty());
 }
+
+TEST_CASE("a limit before the first border changes nothing of a ray along a prism's edge") {
+    SolidBuilder b;
+    const auto ell = [&](double w, double h) {
+        const std::vector<std::vector<Vec2>> rings{{{0, 0}, {2 * w, 0}, {2 * w, h}, {w, h}, {w, 2 * h}, {0, 2 * h}}};
+        return b.shape(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(rings)});
+    };
+    const NodeId profile = b.combine(SetOp::kUnion, {use(ell(1.25, 0.75)), use(ell(2, 1), moved(-1.5, -2, 0))});
+    const double lean = 0x1.b116042278f0ep-35;
+    const Solid solid = b.finish(use(b.shape(shape::Extrusion{profile, 0, 0.75, 0, {1, 1}, 0}), Placement{{1, 0, 0, 0, 0, 1, lean, 0, 0, -lean, 1, 0}}));
+    CHECK(fault(solid, ray({-1.5, -0x1.fffffffebb2f8p-3, 0x1.800000001b116p-1}, {0, 3.5, -0x1.7af34p-33})).empty());
+}

@@ -118,13 +118,17 @@ bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& sc
     if (program.empty || program.everything) return false;
     Scratch::Impl& impl = *scratch.impl;
     ++scratch.counters.spans_evaluated;
-    impl.walker.start(program, ray, scratch.counters, t_max);
     const Event start = origin(ray.departure == nullptr);
     const bool first_only = program.makes(EnginePass::kFirst);
     if (first_only) ++scratch.counters.skipped_by(EnginePass::kFirst);
     Event e;
-    const Found found = (first_only ? first_event : first_of_all)(program, impl.walker, start, hit.from_inside, e);
-    if (found != Found::kLater || e.t > t_max) return false;
+    const auto ask = [&](double far) {
+        impl.walker.start(program, ray, scratch.counters, far);
+        return (first_only ? first_event : first_of_all)(program, impl.walker, start, hit.from_inside, e) == Found::kLater && e.t <= t_max;
+    };
+    if (!ask(t_max)) return false;
+    // An event whose t is only known to lie about there may lie beyond the limit, and then others, left out for the limit, before it.
+    if (impl.walker.context().compare(e, {t_max, 0, kNoClass, 0, false}) > 0 && !ask(HUGE_VAL)) return false;
     hit.end = make_end(program, impl, ray, e, !hit.from_inside);
     hit.point = point_at(ray, e.t);
     hit.departure = departure_from(impl.causes);
