@@ -18,15 +18,30 @@ double steepness(double luminance) {
     return std::min(12.92, 1.055 / 2.4 / (root * eighth));
 }
 
-// May the standard error of some pixel's display luminance be `noise` or more?
-bool is_noisy(const Film& film, TileRegion block, double noise) {
+// How many pixels around a noisy one are drawn on with it.
+constexpr int kBeside = 2;
+
+// May the standard error of the pixel's display luminance be `noise` or more?
+bool is_noisy(const Film& film, std::size_t pixel, double noise) {
+    const double variance = film.variance(pixel);
+    if (variance == 0) return false;
+    const double slope = steepness(luminance(film.color(pixel)));
+    return variance * slope * slope >= noise * noise;
+}
+
+using BlockMarks = std::array<bool, std::tuple_size_v<BlockSamples>>;
+
+// Marks the blocks that hold a pixel at most kBeside from (x, y) of the tile.
+void mark_around(int x, int y, BlockMarks& marks) {
+    const auto block = [](int at) { return std::clamp(at, 0, kTileSide - 1) / kBlockSide; };
+    for (int v = block(y - kBeside); v <= block(y + kBeside); ++v)
+        for (int u = block(x - kBeside); u <= block(x + kBeside); ++u) marks[static_cast<std::size_t>(v * kBlocksInRow + u)] = true;
+}
+
+void mark_noisy(const Film& film, TileRegion tile, TileRegion block, double noise, BlockMarks& marks) {
     for (int y = block.y; y < block.y + block.height; ++y)
-        for (int x = block.x; x < block.x + block.width; ++x) {
-            const std::size_t i = film.index(x, y);
-            const double slope = steepness(luminance(film.color(i)));
-            if (film.variance(i) * slope * slope >= noise * noise) return true;
-        }
-    return false;
+        for (int x = block.x; x < block.x + block.width; ++x)
+            if (is_noisy(film, film.index(x, y), noise)) mark_around(x - tile.x, y - tile.y, marks);
 }
 
 }  // namespace
@@ -48,19 +63,15 @@ BlockSamples samples_of(const Film& film, TileRegion tile) {
 
 BlockSamples begins_of(const Film& film, TileRegion tile, int goal, GoodEnough enough) {
     BlockSamples begins = samples_of(film, tile);
-    std::array<bool, std::tuple_size_v<BlockSamples>> busy{}, beside{};
+    BlockMarks busy{};
     for (std::size_t b = 0; b < begins.size(); ++b) {
         const TileRegion block = block_in(tile, static_cast<int>(b));
-        if (block.width == 0 || block.height == 0) continue;
-        busy[b] = enough.noise == 0 || begins[b] < enough.least || is_noisy(film, block, enough.noise);
-        if (!busy[b]) continue;
-        const int x = static_cast<int>(b) % kBlocksInRow, y = static_cast<int>(b) / kBlocksInRow;
-        for (int v = std::max(0, y - 1); v <= std::min(kBlocksInRow - 1, y + 1); ++v)
-            for (int u = std::max(0, x - 1); u <= std::min(kBlocksInRow - 1, x + 1); ++u) beside[static_cast<std::size_t>(v * kBlocksInRow + u)] = true;
+        if (enough.noise == 0 || begins[b] < enough.least) busy[b] = true;
+        else mark_noisy(film, tile, block, enough.noise, busy);
     }
     for (std::size_t b = 0; b < begins.size(); ++b) {
         const TileRegion block = block_in(tile, static_cast<int>(b));
-        if (!beside[b] || begins[b] > goal || block.width == 0 || block.height == 0) begins[b] = goal;
+        if (!busy[b] || begins[b] > goal || block.width == 0 || block.height == 0) begins[b] = goal;
     }
     return begins;
 }

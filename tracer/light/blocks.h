@@ -1,7 +1,7 @@
 // blocks.h — the 4 x 4 blocks of a tile: what fills the lanes of a packet, and what gets further samples or is good enough.
 //
-// A block is good enough when the estimated error of all its pixels is, and of those of the blocks beside it: what crosses a corner of a block unseen by
-// its own rays is seen by theirs. Only the tile's own samples are looked at, so a tile is the same in every region, shard and order.
+// A block is good enough when the estimated error of all its pixels is, and of those two pixels beside it: what crosses a corner of a block unseen by its
+// own rays is seen by theirs. Only the tile's own samples are looked at, so a tile is the same in every region, shard and order.
 #pragma once
 
 #include <array>

@@ -32,6 +32,10 @@ int DirectLight::parts_of(const LightSource& lamp) const {
 }
 
 LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const {
+    for (std::size_t i = 0; i < ahead_.count && bounce == 0; ++i) {
+        const ShadowAnswer& a = ahead_.first[i];
+        if (a.lamp == number && a.part == static_cast<std::uint32_t>(part) && a.origin == point) return a.sample;
+    }
     const LightSource& lamp = stage_.lights[number];
     // A single sample of an area stands in its middle.
     Vec2 u = lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0);
@@ -46,7 +50,7 @@ LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& s
 bool DirectLight::blocked(const Ray& ray, const Leaving& leaving, double distance) const {
     for (std::size_t i = 0; i < ahead_.count; ++i) {
         const ShadowAnswer& a = ahead_.first[i];
-        if (a.direction == ray.direction && a.origin == ray.origin && a.distance == distance && a.time == ray.time) return a.blocked;
+        if (a.asked && a.sample.direction == ray.direction && a.origin == ray.origin && a.sample.distance == distance && a.time == ray.time) return a.blocked;
     }
     return stage_.world.blocked(ray, &leaving, distance, scratch_);
 }

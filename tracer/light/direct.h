@@ -23,11 +23,13 @@ inline double largest(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
 // How clear matter lets shadow rays pass: unbent (a picture without caustics), or not at all (who follows light through it himself).
 enum class ClearShadows { kLetThrough, kBlock };
 
-// Shadow rays that were asked before they are wanted (shadows_ahead.h). Of opaque scenes only.
+// A sample of a lamp at a first border, drawn before it is wanted, and whether it is blocked, if that was asked (shadows_ahead.h). Of opaque scenes only.
 struct ShadowAnswer {
-    Vec3 origin, direction;
-    double distance, time;
-    bool blocked;
+    Vec3 origin;
+    double time;
+    LightSample sample;
+    std::uint32_t lamp, part;
+    bool asked, blocked;
 };
 struct AnswersAhead {
     const ShadowAnswer* first = nullptr;

@@ -41,20 +41,20 @@ void ShadowsAhead::ask_lamp(std::size_t lamp, int part, int parts, const FirstBo
         const CameraSample& s = samples[k];
         const Sampler sampler(stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index));
         const LightSample light = direct_.sample(lamp, border.point, sampler, 0, part, parts);
-        if (!(glm::dot(border.normal, light.direction) > 0) || (light.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
+        const bool dark = !(glm::dot(border.normal, light.direction) > 0) || (light.radiance == Vec3(0) && !stage_.needs.dark_lamps);
+        const std::size_t answer = k * slots_ + counts_[k]++;
+        answers_[answer] = {border.point, s.ray.time, light, static_cast<std::uint32_t>(lamp), static_cast<std::uint32_t>(part), !dark, false};
+        if (dark) continue;
         Ray& ray = rays_[asked];
         ray.origin = border.point;
         ray.direction = light.direction;
         ray.time = s.ray.time;
         ray.departure = border.leaving.parts ? &border.leaving.events[0] : nullptr;
         distances_[asked] = light.distance;
-        owners_[asked++] = k;
+        owners_[asked++] = answer;
     }
     any_hits(stage_.world.whole(), rays_.data(), distances_.data(), static_cast<int>(asked), scratch_, blocked_.data());
-    for (std::size_t i = 0; i < asked; ++i) {
-        const std::size_t k = owners_[i];
-        answers_[k * slots_ + counts_[k]++] = {rays_[i].origin, rays_[i].direction, distances_[i], rays_[i].time, blocked_[i]};
-    }
+    for (std::size_t i = 0; i < asked; ++i) answers_[owners_[i]].blocked = blocked_[i];
 }
 
 AnswersAhead ShadowsAhead::of(int k) const {

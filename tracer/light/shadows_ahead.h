@@ -1,6 +1,7 @@
 // shadows_ahead.h — the first shadow rays of a tile's pixels, asked together as packets before the pixels are shaded.
 //
-// Who shades asks as ever and is given the answer where the very same ray was asked ahead: a ray foreseen in vain costs time, never a bit.
+// Who shades asks as ever and is given the sample of the lamp that was drawn, and the answer where the very same ray was asked: a ray foreseen in vain costs
+// time, never a bit.
 #pragma once
 
 #include <array>
@@ -31,7 +32,7 @@ private:
     std::array<std::size_t, MetTogether::kMost> counts_{};
     std::array<Ray, MetTogether::kMost> rays_;
     std::array<double, MetTogether::kMost> distances_;
-    std::array<std::size_t, MetTogether::kMost> owners_;
+    std::array<std::size_t, MetTogether::kMost> owners_;  // by ray: its answer
     std::array<bool, MetTogether::kMost> blocked_;
 };
 
