@@ -52,14 +52,6 @@ double Film::coverage(std::size_t pixel) const {
     return p.weight > 0 ? glm::clamp(p.coverage / p.weight, 0.0, 1.0) : 0;
 }
 
-double Film::variance(std::size_t pixel) const {
-    const PixelSums& p = pixels[pixel];
-    if (p.samples < 2) return 0;
-    const double n = p.samples;
-    const double mean = p.luminance / n;
-    return std::max(0.0, p.luminance_squared / n - mean * mean) / (n - 1);
-}
-
 std::size_t Film::missing_pixels() const {
     std::size_t missing = 0;
     for (const PixelSums& p : pixels) missing += p.samples == 0;

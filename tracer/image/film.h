@@ -5,6 +5,7 @@
 // a depth or an id averaged over an edge belongs to nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -60,7 +61,12 @@ struct Film {
     Vec3 color(std::size_t pixel) const;
     double coverage(std::size_t pixel) const;
     // Estimated variance of the pixel's mean luminance; 0 with fewer than two samples.
-    double variance(std::size_t pixel) const;
+    double variance(std::size_t pixel) const {
+        const PixelSums& p = pixels[pixel];
+        if (p.samples < 2) return 0;
+        const double n = p.samples, mean = p.luminance / n;
+        return std::max(0.0, p.luminance_squared / n - mean * mean) / (n - 1);
+    }
     // Pixels without a sample (an interrupted first pass, other shards).
     std::size_t missing_pixels() const;
 };

@@ -40,7 +40,7 @@ private:
     Axis axis(double u) const;
     std::size_t cell_of(double u, std::size_t first) const;
 
-    static constexpr int kCells = 128, kGuesses = 256;
+    static constexpr int kCells = 128, kGuesses = 1024;
     FilterKind kind_;
     double radius_;
     double balance_ = 1;

@@ -17,16 +17,26 @@ struct Albedos {
     double mirror = 0, coat = 0;
 };
 
+// Half of the spokes: the others are their mirror images in the plane of view and normal.
+std::array<Vec2, kSpokes / 2> half_the_spokes() {
+    std::array<Vec2, kSpokes / 2> spokes;
+    for (std::size_t j = 0; j < spokes.size(); ++j) {
+        const Sleef_double_2 turn = Sleef_cinz_sincospid1_u05purec((static_cast<double>(j) + 0.5) / static_cast<double>(spokes.size()) - 0.5);
+        spokes[j] = {turn.y, turn.x};
+    }
+    return spokes;
+}
+
 Albedos albedos(double cosine, double alpha, double ior) {
+    static const std::array<Vec2, kSpokes / 2> kHalf = half_the_spokes();
     const Vec3 view(std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine);
     Albedos sum;
     double weights = 0;
     for (int i = 0; i < kRings; ++i) {
         const double v = (i + 0.5) / kRings, outside = v * v * v * v, weight = v * v * v, radius = std::sqrt(1 - outside);
-        weights += kSpokes * weight;
-        for (int j = 0; j < kSpokes; ++j) {
-            const Sleef_double_2 turn = Sleef_cinz_sincospid1_u05purec(2 * (j + 0.5) / kSpokes);
-            const Vec3 micro = ggx_normal_on_disc(view, alpha, {radius * turn.y, radius * turn.x});
+        weights += static_cast<double>(kHalf.size()) * weight;
+        for (const Vec2& spoke : kHalf) {
+            const Vec3 micro = ggx_normal_on_disc(view, alpha, radius * spoke);
             const double along = glm::dot(view, micro), out = 2 * along * micro.z - view.z;
             if (!(out > 0)) continue;
             const double share = weight * ggx_visibility(out, cosine, alpha) * 4 * out * cosine / ggx_masking(cosine, alpha);

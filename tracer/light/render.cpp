@@ -37,6 +37,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 struct Worker {
     Scratch scratch;
     RenderCounters counters;
+    TileDrawer drawer;
+    explicit Worker(const Stage& stage) : drawer(stage, scratch, counters) {}
 };
 
 class Rendering {
@@ -100,7 +102,7 @@ private:
     }
 
     void draw(std::size_t i, int goal, Worker& worker) {
-        if (!render_tile(stage_, tiles_[i], begins(i, goal), goal, worker.scratch, worker.counters, film_, &control_.abort)) return;
+        if (!worker.drawer.draw(tiles_[i], begins(i, goal), goal, film_, &control_.abort)) return;
         if (goal <= counted_[i]) return;
         samples_counted_ += goal - counted_[i];
         counted_[i] = goal;
@@ -160,7 +162,7 @@ private:
     Film film_;
     std::vector<TileRegion> tiles_;
     std::vector<int> counted_;  // samples a tile has, or was spared, for the progress
-    tbb::enumerable_thread_specific<Worker> workers_;
+    tbb::enumerable_thread_specific<Worker> workers_{[this] { return Worker(stage_); }};
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::int64_t samples_before_ = 0;
     std::atomic<std::int64_t> samples_counted_{0};

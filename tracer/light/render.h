@@ -1,6 +1,6 @@
 // render.h — rendering: a pure function of (program, scene, options, tile) to pixels, and the loop around it.
 //
-// render_tile() continues the sums of one tile up to sample `end`; everything it reads is immutable, everything it writes is handed in.
+// TileDrawer continues the sums of one tile up to sample `end`; everything it reads is immutable, everything it writes is handed in.
 // render() calls it over tiles on all cores, in passes of doubling sample counts, so that it can be stopped, watched, resumed and
 // shared out. The bytes depend on neither the number of threads nor the passes.
 #pragma once
@@ -124,10 +124,23 @@ class Stage;
 // kCommand: a camera of neither 6 nor 7 numbers, options out of range, an integrator that is not there.
 Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options);
 
-// Adds samples begin <= i < end to the pixels of `tile`, `begin` being its 4 x 4 block's (blocks.h), and its planes where that is 0. `film` is touched in
-// `tile` only. Returns false where `abort` became true: the tile is then as it was.
-bool render_tile(const Stage& stage, TileRegion tile, const std::array<int, 16>& begins, int end, Scratch& scratch, RenderCounters& counters, Film& film,
-                 const std::atomic<bool>* abort = nullptr);
+// The pure function from (stage, tile, samples) to pixels, and the memory that it works in. One a thread.
+class TileDrawer {
+public:
+    // `counters` and `scratch` outlive it.
+    TileDrawer(const Stage& stage, Scratch& scratch, RenderCounters& counters);
+    ~TileDrawer();
+    TileDrawer(const TileDrawer&) = delete;
+    TileDrawer& operator=(const TileDrawer&) = delete;
+
+    // Adds samples begin <= i < end to the pixels of `tile`, `begin` being its 4 x 4 block's (blocks.h), and its planes where that is 0. `film` is touched
+    // in `tile` only. Returns false where `abort` became true: the tile is then as it was.
+    bool draw(TileRegion tile, const std::array<int, 16>& begins, int end, Film& film, const std::atomic<bool>* abort = nullptr);
+
+private:
+    class Work;
+    std::unique_ptr<Work> work_;
+};
 
 // The tiles of the picture (or of its shard, or those that its region touches), in the order they are drawn.
 std::vector<TileRegion> tiles_of(const RenderOptions& options);

@@ -54,17 +54,38 @@ std::vector<PixelPlace> pixels_of(TileRegion tile, const BlockSamples& begins, i
     return pixels;
 }
 
-// Draws samples of pixels together, and holds the memory for it.
-class TileWork {
+}  // namespace
+
+// Draws samples of pixels together.
+class TileDrawer::Work {
 public:
-    TileWork(const Stage& stage, Scratch& scratch, RenderCounters& counters)
+    Work(const Stage& stage, Scratch& scratch, RenderCounters& counters)
         : stage_(stage), scratch_(scratch), counters_(counters), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
           shadows_(stage, scratch, counters) {
         if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
     }
 
+    // Samples begin <= i < end of some pixels. False: aborted.
+    bool draw(const std::vector<PixelPlace>& pixels, int begin, int end, Film& film, const std::atomic<bool>* abort) {
+        std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
+        // What a pixel costs is seen only where it is drawn alone.
+        const std::size_t together = cost.empty() ? kMostRays : 1;
+        for (std::size_t at = 0; at < pixels.size(); at += together) {
+            const std::span<const PixelPlace> group(pixels.data() + at, std::min(together, pixels.size() - at));
+            const double before = work_done(scratch_);
+            for (int i = begin; i < end; ++i) {
+                if (abort && abort->load(std::memory_order_relaxed)) return false;
+                draw_sample(group, i, film);
+            }
+            if (!cost.empty()) cost[film.index(group[0].x, group[0].y)] += static_cast<float>(work_done(scratch_) - before);
+            if (film.aovs != 0 && begin == 0) fill_planes(stage_, group.data(), static_cast<int>(group.size()), scratch_, film);
+        }
+        return true;
+    }
+
+private:
     // Sample `index` of at most kMostRays pixels.
-    void draw(std::span<const PixelPlace> pixels, int index, Film& film) {
+    void draw_sample(std::span<const PixelPlace> pixels, int index, Film& film) {
         aim(pixels, index);
         if (stage_.options.look == Look::kShaded) meet(static_cast<int>(pixels.size()));
         if (edges_) edges_->find(places_.data(), static_cast<int>(pixels.size()), edge_.data());
@@ -75,7 +96,6 @@ public:
         }
     }
 
-private:
     Sampler sampler_of(const CameraSample& s) const { return {stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index)}; }
 
     void aim(std::span<const PixelPlace> pixels, int index) {
@@ -134,6 +154,8 @@ private:
     std::array<bool, kMostRays> edge_;
 };
 
+namespace {
+
 // What a tile's pixels hold, to be put back.
 class Kept {
 public:
@@ -152,36 +174,21 @@ private:
     std::vector<PixelSums> pixels_;
 };
 
-// Samples begin <= i < end of some pixels. False: aborted.
-bool draw_pixels(const Stage& stage, const std::vector<PixelPlace>& pixels, int begin, int end, TileWork& work, Scratch& scratch, Film& film, const std::atomic<bool>* abort) {
-    std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
-    // What a pixel costs is seen only where it is drawn alone.
-    const std::size_t together = cost.empty() ? kMostRays : 1;
-    for (std::size_t at = 0; at < pixels.size(); at += together) {
-        const std::span<const PixelPlace> group(pixels.data() + at, std::min(together, pixels.size() - at));
-        const double before = work_done(scratch);
-        for (int i = begin; i < end; ++i) {
-            if (abort && abort->load(std::memory_order_relaxed)) return false;
-            work.draw(group, i, film);
-        }
-        if (!cost.empty()) cost[film.index(group[0].x, group[0].y)] += static_cast<float>(work_done(scratch) - before);
-        if (film.aovs != 0 && begin == 0) fill_planes(stage, group.data(), static_cast<int>(group.size()), scratch, film);
-    }
-    return true;
-}
-
 }  // namespace
 
-bool render_tile(const Stage& stage, TileRegion tile, const BlockSamples& begins, int end, Scratch& scratch, RenderCounters& counters, Film& film,
-                 const std::atomic<bool>* abort) {
+TileDrawer::TileDrawer(const Stage& stage, Scratch& scratch, RenderCounters& counters)
+    : work_(std::make_unique<Work>(stage, scratch, counters)) {}
+
+TileDrawer::~TileDrawer() = default;
+
+bool TileDrawer::draw(TileRegion tile, const BlockSamples& begins, int end, Film& film, const std::atomic<bool>* abort) {
     BlockSamples apart = begins;
     std::sort(apart.begin(), apart.end());
     const auto last = std::unique(apart.begin(), apart.end());
     if (apart[0] >= end) return true;
     const Kept kept(film, tile);
-    const auto work = std::make_unique<TileWork>(stage, scratch, counters);
     for (auto begin = apart.begin(); begin != last && *begin < end; ++begin) {
-        if (draw_pixels(stage, pixels_of(tile, begins, *begin), *begin, end, *work, scratch, film, abort)) continue;
+        if (work_->draw(pixels_of(tile, begins, *begin), *begin, end, film, abort)) continue;
         kept.put_back(film);
         return false;
     }
