@@ -12,10 +12,11 @@ namespace {
 
 // At most by how much display luminance (sRGB curve) grows with luminance: 12.92 in the dark, else 1.055 / 2.4 * x^(-7/12), here with -5/8 for want of a
 // faster power. Nothing above 1.
+constexpr double kSteepest = 12.92;
 double steepness(double luminance) {
     if (luminance >= 1) return 0;
     const double root = std::sqrt(luminance), eighth = std::sqrt(std::sqrt(root));
-    return std::min(12.92, 1.055 / 2.4 / (root * eighth));
+    return std::min(kSteepest, 1.055 / 2.4 / (root * eighth));
 }
 
 // How many pixels around a noisy one are drawn on with it.
@@ -24,7 +25,7 @@ constexpr int kBeside = 2;
 // May the standard error of the pixel's display luminance be `noise` or more?
 bool is_noisy(const Film& film, std::size_t pixel, double noise) {
     const double variance = film.variance(pixel);
-    if (variance == 0) return false;
+    if (variance * kSteepest * kSteepest < noise * noise) return false;
     const double slope = steepness(luminance(film.color(pixel)));
     return variance * slope * slope >= noise * noise;
 }

@@ -34,7 +34,7 @@ Vec3 Bsdf::dull_value(double cos_light) const {
     if (!surface_.energy) return under_coat_ / kPi;
     const GlossEnergy& e = *surface_.energy;
     Vec3 sum = under_coat_ * ((1 - e.coat(cos_light)) / (1 - e.coat_mean()));
-    if (e.mirror_mean() < 1) sum += among_facets_ * ((1 - e.mirror(cos_light)) / (1 - e.mirror_mean()));
+    if (surface_.metal > 0 && e.mirror_mean() < 1) sum += among_facets_ * ((1 - e.mirror(cos_light)) / (1 - e.mirror_mean()));
     return sum / kPi;
 }
 

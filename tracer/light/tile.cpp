@@ -107,9 +107,9 @@ private:
             if (stage_.options.samples > 1) place = stage_.filter.place(sampler.pair(Draw::kPixel));
             places_[k] = {x + 0.5 + place.offset.x, y + 0.5 + place.offset.y};
             samples_[k] = camera_sample(stage_, x, y, index, places_[k].x, places_[k].y, sampler);
-            rays_[k] = samples_[k].ray;
             weights_[k] = place.weight;
         }
+        for (std::size_t k = 0; k < pixels.size(); ++k) rays_[k] = samples_[k].ray;
         if (stage_.distributes()) counters_.draws += (static_cast<std::uint64_t>(stage_.needs.lens) + static_cast<std::uint64_t>(stage_.needs.shutter)) * pixels.size();
     }
 
