@@ -75,7 +75,7 @@ constexpr std::string_view kRevolve = "file layer origin scale";
 constexpr std::string_view kRevolveNamed = "convexity angle start a";
 constexpr std::string_view kImport = "file layer convexity origin scale";
 constexpr std::string_view kImportNamed = "width height filename layername center dpi id";
-constexpr std::string_view kExtrudeForm = "linear_extrude(height, center, convexity, twist, slices, scale)";
+constexpr std::string_view kExtrudeForm = "linear_extrude(height, center, convexity, twist, slices, scale, v, segments)";
 constexpr std::string_view kRevolveForm = "rotate_extrude(angle, convexity)";
 constexpr std::string_view kImportForm = "import(\"file\", convexity)";
 

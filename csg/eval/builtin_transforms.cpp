@@ -139,28 +139,56 @@ Made make_color(ModuleUse& use) {
     return out;
 }
 
+namespace {
+
+// The arguments of linear_extrude, each where one of the two orders of positions puts it. 2021.01: file layer height origin scale center twist slices, of which
+// `file` may be the height; later versions: height v scale center twist slices segments, known by the vector in the second place.
+struct ExtrudeArguments {
+    explicit ExtrudeArguments(const ModuleUse& use)
+        : height(&use[use[2].is_undef() ? (use[10].is_undef() ? 0u : 10u) : 2u]), way(&use[9]), scale(&use[4]), center(&use[5]), twist(&use[6]), slices(&use[7]), segments(&use[11]) {
+        if (!use[0].is_number() || !use[1].is_vector()) return;
+        height = &use[use[10].is_undef() ? 0 : 10];
+        way = &use[1];
+        if (use[2].is_undef()) return;
+        scale = &use[2], center = &use[3], twist = &use[4], slices = &use[5];
+        if (use[11].is_undef()) segments = &use[6];
+    }
+    const Value *height, *way, *scale, *center, *twist, *slices, *segments;
+};
+
+// A whole number above 0, as OpenSCAD takes it: truncated; nothing for others.
+std::optional<int> read_count(const Value& value) {
+    double count = 0;
+    if (read_number(value, count) && std::fabs(count) < 1e9 && static_cast<int>(count) > 0) return static_cast<int>(count);
+    return std::nullopt;
+}
+
+}  // namespace
+
 Made make_linear_extrude(ModuleUse& use) {
     // file layer height origin scale center twist slices | convexity v h segments
     scene::LinearExtrude out;
-    const Value& height = use[2].is_undef() ? (use[10].is_undef() ? use[0] : use[10]) : use[2];
+    const ExtrudeArguments given(use);
     if (use[0].is_string() || use[1].is_string())
         use.machine.say(Severity::kDeprecated, {}, "Support for reading files in linear_extrude will be removed in future releases. Use a child import() instead.");
+    const Value& height = *given.height;
     if (height.is_number() && std::isfinite(height.number())) out.height = height.number();
-    if (Vec3 v{0}; read_vec3(use[9], v, 0)) {  // the way of the sweep; a height beside it sets its length
+    if (Vec3 v{0}; read_vec3(*given.way, v, 0)) {  // the way of the sweep; a height beside it sets its length
         const double length = glm::length(v);
         if (length > 0 && height.is_number()) v *= out.height / length;
         out.height = v.z;
         if (v.z > 0) out.lean = {v.x / v.z, v.y / v.z};
     }
     if (!(out.height > 0)) out.height = 0;
-    out.center = truth_if_bool(use[5]);
+    out.center = truth_if_bool(*given.center);
     double twist = 0;
-    if (read_number(use[6], twist)) out.twist_deg = twist;
+    if (read_number(*given.twist, twist)) out.twist_deg = twist;
     double all = 1;
-    if (read_number(use[4], all)) out.scale = Vec2(all);
-    else read_vec2(use[4], out.scale);
+    if (read_number(*given.scale, all)) out.scale = Vec2(all);
+    else read_vec2(*given.scale, out.scale);
     out.scale = {std::max(out.scale.x, 0.0), std::max(out.scale.y, 0.0)};
-    if (double slices = 0; read_number(use[7], slices) && std::fabs(slices) < 1e9 && static_cast<int>(slices) > 0) out.slices = static_cast<int>(slices);
+    out.slices = read_count(*given.slices);
+    out.segments = read_count(*given.segments).value_or(0);
     out.convexity = read_convexity(use[8], 1);
     if (use[0].is_string()) add_drawing(use, use[0], use[1], use[3], out.scale.x);
     return out;

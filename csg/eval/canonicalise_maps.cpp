@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "csg/eval/canonicaliser.h"
+#include "csg/solid/divided_sides.h"
 #include "csg/solid/facets.h"
 #include "csg/solid/placement.h"
 #include "csg/solid/profile.h"
@@ -113,6 +114,7 @@ Made Canonicaliser::extruded_upright(SceneNodeId id, const scene::LinearExtrude&
     }
     e.profile = node_of(flat);
     e.slices = slices_of(node, what, e);
+    if (what.segments > 0 && e.slices > 0) e.profile = divided(e, what.segments);
     if (e.twist_deg == 0 && e.scale_top.x == e.scale_top.y && has_curves(builder_, e.profile)) {
         Use made = tapered(builder_, e, flat, {}, {{}, node.place, {}});
         if (made.node == kEmptyNode) return {};
@@ -129,6 +131,13 @@ int Canonicaliser::slices_of(const SceneNode& node, const scene::LinearExtrude& 
     if (facets_of_circle(node, radius) == 0) return 0;
     const auto contours = contours_of(builder_.so_far(), e.profile, radius * kProfileTolerance);
     return extrusion_slices(contours, what.height, e.twist_deg, e.scale_top, resolution(node));
+}
+
+// The profile with more corners along its sides.
+NodeId Canonicaliser::divided(const shape::Extrusion& e, int segments) {
+    const Bounds box = builder_.bounds(e.profile);
+    const auto contours = contours_of(builder_.so_far(), e.profile, std::max(glm::length(box.lo), glm::length(box.hi)) * kProfileTolerance);
+    return builder_.shape(shape::Polygon{std::make_shared<const Contours>(with_divided_sides(contours, segments, {e.twist_deg, e.scale_top, e.slices}))});
 }
 
 // The part of a profile on one side of the axis as a radius >= 0; empty, with a message, where it lies on both.

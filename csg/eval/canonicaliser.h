@@ -79,6 +79,7 @@ private:
     Made revolved(SceneNodeId id, const scene::RotateExtrude& what);
     Use profile(SceneNodeId id);
     int slices_of(const SceneNode& node, const scene::LinearExtrude& what, const shape::Extrusion& extrusion);
+    NodeId divided(const shape::Extrusion& extrusion, int segments);
     Use right_of_axis(const SceneNode& node, Use profile, bool& mirrored);
     double radius_of(const SceneNode& node, const Use& profile);
     NodeId node_of(const Use& use);

@@ -98,6 +98,7 @@ struct Head {
         out += fmt::format("center = {}, convexity = {}", e.center, e.convexity);
         if (e.twist_deg != 0) out += ", twist = " + stream(e.twist_deg);
         if (e.slices) out += ", slices = " + std::to_string(*e.slices);
+        if (e.segments > 0) out += ", segments = " + std::to_string(e.segments);
         out += fmt::format(", scale = [{}, {}]", stream(e.scale.x), stream(e.scale.y));
         if (!e.slices) out += ", " + facets();
         return out + ")";

@@ -67,6 +67,7 @@ struct LinearExtrude {
     double twist_deg = 0;
     Vec2 scale{1};
     std::optional<int> slices;
+    int segments = 0;  // pieces that a contour's sides are cut into where there are slices; 0: the sides as they are
     int convexity = 1;
     Vec2 lean{0};
 };

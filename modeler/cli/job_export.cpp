@@ -37,12 +37,14 @@ Exit export_outputs(Session& session, const std::vector<std::pair<std::string, s
     const auto scene = read_scene(session);
     if (!scene) return give_up(session, scene.error());
     if (scene->verdict != Exit::kDone) return give_up(session, {Fault::kScene, "Geometry was left out, nothing is written (--allow-missing carries on without it)"});
+    if (auto noted = summarise(session, *scene); !noted) return give_up(session, noted.error());
     std::vector<Outline> outlines;
     if (is_drawing_format(outputs.front().second)) {
         if (scene->canonical.solid.root().node != kEmptyNode && !scene->canonical.is_2d)
             return give_up(session, {Fault::kScene, "Current top level object is not a 2D object."});
         outlines = outlines_of(scene->canonical.solid);
         if (outlines.empty()) return give_up(session, {Fault::kScene, "Current top level object is empty."});
+        session.summary.note(outlines);
     }
     for (const auto& [path, format] : outputs) {
         const auto text = format == "pov" ? pov_of(session, *scene) : Result<std::string>(format == "svg" ? svg_text(outlines) : format == "dxf" ? dxf_text(outlines) : pdf_text(outlines));

@@ -47,13 +47,16 @@ Exit run(const Request& request) {
     std::optional<tbb::global_control> threads;
     if (request.common.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.common.threads));
     Stats stats;
+    Summary summary(request.summary);
+    Stopwatch whole_run;
     Exit done = Exit::kDone;
     // What is wrong with the scene may be so at one time only; what is wrong with the world stays.
     for (std::size_t i = 0; i < frames.size() && done <= Exit::kScene; ++i) {
-        Session session{frames[i], console, stats, watchdog};
+        Session session{frames[i], console, stats, watchdog, summary};
         done = worse(done, run_verb(session));
     }
-    Session whole{request, console, stats, watchdog};
+    Session whole{request, console, stats, watchdog, summary};
+    if (const auto told = summary.tell(console, whole_run.lap()); !told) done = worse(done, give_up(whole, told.error()));
     return worse(done, write_stats(whole));
 }
 

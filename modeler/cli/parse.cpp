@@ -70,7 +70,6 @@ public:
     CLI::App& app() { return app_; }
     bool wants_version() const { return version_; }
     bool wants_info() const { return info_; }
-    const std::string& refused() const { return refused_; }
 
 private:
     using Reader = std::function<bool(const std::string&)>;
@@ -126,14 +125,6 @@ private:
         if (takes_value) app_.add_option_function<std::string>(name, [](const std::string&) {}, help)->type_name("X")->group(group);
         else app_.add_flag_callback(name, [] {}, help)->group(group);
     }
-    // Named by docs/command-line, its function not there yet: known, so that the message says so instead of "unknown".
-    void not_yet(const char* name, bool takes_value, const char* group) {
-        const std::string shown = name;
-        if (takes_value)
-            app_.add_option_function<std::string>(name, [=, this](const std::string&) { refused_ = shown; }, "(not supported yet)")->group(group);
-        else
-            app_.add_flag_callback(name, [=, this] { refused_ = shown; }, "(not supported yet)")->group(group);
-    }
 
     void declare_scene();
     void declare_common();
@@ -148,7 +139,6 @@ private:
     Request& request_;
     CLI::App app_;
     bool version_ = false, info_ = false;
-    std::string refused_;
 };
 
 constexpr double kMostThreads = 4096, kMostCount = 9007199254740992.0;  // 2^53: every whole number up to it is a double
@@ -214,7 +204,12 @@ void Declaration::declare_openscad() {
     value("--view", "axes, crosshairs, edges, scales or wireframe", "edges draws dark lines along edges; the others are passed over", kGroup,
           [this](const std::string& t) { return read_view(t, request_.render.options.edges); });
     app_.add_flag("--info", info_, "Print how this program was built and exit")->group(kGroup);
-    for (const char* name : {"--summary", "--summary-file"}) not_yet(name, true, kGroup);
+    value("--summary", "all, cache, time, camera, geometry, bounding-box or area", "Tell what was made, at the end. May be given more than once", kGroup,
+          [this](const std::string& t) {
+              request_.summary.topics.push_back(t);
+              return std::find(summary_topics().begin(), summary_topics().end(), t) != summary_topics().end();
+          });
+    text("--summary-file", "FILE", "The same as JSON, all of it where no --summary says less; - is standard output", request_.summary.file, kGroup);
 }
 
 void Declaration::declare_render() {
@@ -434,7 +429,6 @@ Result<std::variant<Request, Say>> parse_command_line(std::vector<std::string> a
     if (declaration.wants_version()) return Say{"whittle " WHITTLE_VERSION "\n"};
     const auto rest = declaration.app().remaining();
     if (!rest.empty()) return unexpected_word(rest, declaration.app());
-    if (!declaration.refused().empty()) return fail(Fault::kCommand, declaration.refused() + " is not supported yet");
     // Who asks for OpenSCAD's colours and nothing else wants the look of its preview.
     RenderOptions& options = request.render.options;
     if (options.scheme && options.integrator == Integrator::kAuto) options.integrator = Integrator::kPreview;

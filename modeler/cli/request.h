@@ -10,6 +10,7 @@
 
 #include "csg/eval/canonicalise.h"
 #include "csg/span/ray.h"
+#include "modeler/cli/summary.h"
 #include "modeler/mesh/reference_mesh.h"
 #include "tracer/image/image_file.h"
 #include "tracer/light/render.h"
@@ -81,6 +82,7 @@ struct Request {
     std::vector<std::string> outputs;
     std::string export_format;             // --export-format, overrides the suffix
     int frames = 0;                        // --animate; 0: no animation
+    SummaryRequest summary;                // --summary, --summary-file
     bool full_render = false;              // --render: a picture by OpenSCAD's form sees $preview = false
     std::vector<std::string> rest;         // bench: handed on as they are
     CommonRequest common;

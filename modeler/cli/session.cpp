@@ -177,6 +177,18 @@ Result<std::shared_ptr<const Program>> compile_scene(Session& session, const Sol
     return program;
 }
 
+Result<void> summarise(Session& session, const ReadScene& scene) {
+    if (!session.summary.wanted()) return {};
+    const RenderRequest& render = session.request.render;
+    const Scene& read = scene.evaluated.scene;
+    const Solid& solid = scene.canonical.solid;
+    const double aspect = static_cast<double>(render.options.width) / render.options.height;
+    const auto lens = resolve_camera(render.camera, read.camera, read.view, solid.root_bounds(), aspect);
+    if (!lens) return tl::unexpected<Error>(lens.error());
+    session.summary.note(solid, scene.canonical.is_2d, *lens);
+    return {};
+}
+
 std::string default_output(const std::string& input, const std::string& suffix) {
     if (input == "-") return "out" + suffix;
     return std::filesystem::path(input).stem().string() + suffix;

@@ -9,6 +9,7 @@
 #include "modeler/cli/console.h"
 #include "modeler/cli/request.h"
 #include "modeler/cli/stats.h"
+#include "modeler/cli/summary.h"
 #include "modeler/cli/watchdog.h"
 #include "tracer/engine/engine.h"
 
@@ -19,6 +20,7 @@ struct Session {
     Console& console;
     Stats& stats;
     Watchdog& watchdog;
+    Summary& summary;
 };
 
 // How a verb ended. Several parts of one run: the worse code counts.
@@ -61,6 +63,9 @@ Result<ReadScene> read_whole_solid(Session& session);
 
 // compile() with the request's options, timed.
 Result<std::shared_ptr<const Program>> compile_scene(Session& session, const Solid& solid);
+
+// Notes the solid and how it is looked at for --summary, where it is asked for.
+Result<void> summarise(Session& session, const ReadScene& scene);
 
 // Name of an output nobody named: the scene's, with `suffix` ("part.scad" -> "part.png"), in the current folder.
 std::string default_output(const std::string& input, const std::string& suffix);

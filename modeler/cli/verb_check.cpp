@@ -162,7 +162,7 @@ Exit check_suite(Session& session) {
     for (const std::string& path : scenes_of(session.request.inputs)) {
         Request request = session.request;
         request.inputs = {path};
-        Session one{request, session.console, session.stats, session.watchdog};
+        Session one{request, session.console, session.stats, session.watchdog, session.summary};
         Stopwatch watch;
         const auto checked = check_scene(one);
         if (!checked && checked.error().fault == Fault::kInterrupted) return give_up(session, checked.error());

@@ -141,10 +141,17 @@ Result<void> write_one(Session& session, const std::vector<MeshPart>& parts, con
     return {};
 }
 
+void note_parts(Summary& summary, const std::vector<MeshPart>& parts) {
+    std::vector<const MeshResult*> results;
+    for (const MeshPart& part : parts) results.push_back(part.result);
+    summary.note(results);
+}
+
 Result<void> write_output_of(Session& session, Meshes& meshes, const Output& output) {
     const bool file_a_part = output.path.find(kPartMark) != std::string::npos;
     const auto parts = file_a_part || holds_parts(output.format) ? meshes.parts() : meshes.whole();
     if (!parts) return tl::unexpected<Error>(parts.error());
+    if (session.summary.wanted()) note_parts(session.summary, *parts);
     if (!file_a_part) return write_one(session, *parts, output);
     for (const MeshPart& part : *parts)
         if (auto written = write_one(session, {part}, {path_of_part(output.path, part.name), output.format}); !written) return written;
@@ -201,6 +208,7 @@ Exit mesh_outputs(Session& session, const std::vector<std::string>& paths, bool 
     if (!outputs) return give_up(session, outputs.error());
     const auto scene = read_whole_solid(session);
     if (!scene) return give_up(session, scene.error());
+    if (auto noted = summarise(session, *scene); !noted) return give_up(session, noted.error());
     Meshes meshes(session, scene->canonical.solid);
     for (const auto& output : *outputs)
         if (auto written = write_output_of(session, meshes, output); !written) return give_up(session, written.error());

@@ -168,6 +168,7 @@ Exit render_once(Session& session, const std::vector<Output>& outputs, Preview p
     if (!scene) return give_up(session, scene.error());
     before.files_read = scene->evaluated.files_read;
     if (auto something = check_something(scene->canonical); !something) return give_up(session, something.error());
+    if (auto noted = summarise(session, *scene); !noted) return give_up(session, noted.error());
     raise_flat(scene->canonical);
     ImageFiles files;
     // A PNG needs no image library.

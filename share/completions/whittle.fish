@@ -62,6 +62,8 @@ complete -c whittle -n "__fish_seen_subcommand_from spans" -l rays -r -d 'One ra
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l export-format -r -a "png exr jpg tif stl asciistl binstl 3mf off obj ply amf glb om svg dxf pdf pov csg echo ast param" -d 'Format of the output, instead of its suffix'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l check-parameters -r -a "true false" -d 'Warn of unknown and surplus arguments'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l animate -r -d 'Makes N outputs, name00000.png and on, with $t = 0, 1/N, 2/N ...'
+complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l summary -x -a 'all cache time camera geometry bounding-box area' -d 'Tell what was made, at the end. May be given more than once'
+complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l summary-file -r -d 'The same as JSON, all of it where no --summary says less; - is standard output'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l csglimit -r -d 'Taken and passed over: no scene is too large to show'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l check-parameter-ranges -r -d 'Taken and passed over: what makes nothing is always told'
 complete -c whittle -n "not __fish_seen_subcommand_from $verbs" -l backend -r -d 'Taken and passed over: there is one'

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/profile.h"
 
 using namespace whittle;
 
@@ -242,6 +243,25 @@ TEST_CASE("upright extrusions of simple outlines are boxes and cylinders") {
     CHECK(root_shape<shape::Frustum>(a.canonical({a.add(up, {a.add(scene::Circle{2})})})) == shape::Frustum{0, 5, 2, 2});
     up.height = 0;
     CHECK(is_empty(a.canonical({a.add(up, {a.add(scene::Square{})})})));
+}
+
+TEST_CASE("segments divide the sides of a sliced extrusion, and of no other") {
+    Author a;
+    const auto corners = [&](std::optional<int> slices, double twist_deg, Vec2 scale) {
+        scene::LinearExtrude up;
+        up.height = 5;
+        up.twist_deg = twist_deg;
+        up.scale = scale;
+        up.slices = slices;
+        up.segments = 12;
+        const Canonical made = a.canonical({a.add(up, {a.add(scene::Square{{2, 2}, false})})});
+        const auto contours = contours_of(made.solid, root_shape<shape::Extrusion>(made).profile, 1e-9);
+        return contours.size() == 1 ? contours[0].size() : 0;
+    };
+    CHECK(corners(7, 90, Vec2(1)) == 12);
+    CHECK(corners(7, 0, Vec2(1, 3)) == 10);  // one more cut each for all four would be too many
+    CHECK(corners({}, 90, Vec2(1)) == 4);
+    CHECK(corners(7, 0, Vec2(0.5)) == 4);
 }
 
 TEST_CASE("twists are smooth by default, sliced by $fn or slices") {

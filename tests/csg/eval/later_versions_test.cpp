@@ -157,3 +157,15 @@ TEST_CASE("letters of axes and colours make lists of elements") {
     CHECK(value_of("[[1, 2, 3, 4].xyzw, [1, 2, 3].rgb, [1, 2, 3].xz, [1, 2, 3, 4].bgra, [1, 2].a, [1, 2, 3].xr, [1, 2, 3].xxyyz]") ==
           "[[1, 2, 3, 4], [1, 2, 3], [1, 3], [3, 2, 1, 4], undef, undef, undef]");
 }
+
+TEST_CASE("linear_extrude takes the positions of later versions where the second is a vector") {
+    CHECK(csg_of("linear_extrude(10, [0, 0, 5], 2, true, 90, 20, 40) square(1);") ==
+          csg_of("linear_extrude(height = 10, v = [0, 0, 5], scale = 2, center = true, twist = 90, slices = 20, segments = 40) square(1);"));
+    CHECK(csg_of("linear_extrude(10, [3, 0, 4], scale = 2, slices = 5) square(1);") == csg_of("linear_extrude(h = 10, v = [3, 0, 4], scale = 2, slices = 5) square(1);"));
+    CHECK(csg_of("linear_extrude(10, true, 7) square(1);") == csg_of("linear_extrude(height = 7) square(1);"));
+}
+
+TEST_CASE("segments stand in a .csg where they are given") {
+    CHECK(csg_of("linear_extrude(h = 3, twist = 9, slices = 4, segments = 12) square(1);").find(", slices = 4, segments = 12, scale = [1, 1])") != std::string::npos);
+    CHECK(csg_of("linear_extrude(h = 3, segments = 0) square(1);").find("segments") == std::string::npos);
+}

@@ -178,7 +178,7 @@ TEST_CASE("what is named in the documents and not there yet is refused, never pa
     CHECK_FALSE(refusal({"mesh", "a.scad", "--simplify", "-1"}).empty());
     CHECK_FALSE(refusal({"check", "a.scad", "--booleans", "nef"}).empty());
     CHECK(refusal({"check", "a.scad", "b.scad"}) == "one scene at a time: 'b.scad' is a second");
-    CHECK(refusal({"-o", "a.png", "--summary", "all", "a.scad"}) == "--summary is not supported yet");
+    CHECK(contains(refusal({"-o", "a.png", "--summary", "everything", "a.scad"}), "bounding-box"));
     CHECK(contains(refusal({"view", "a.scad"}), "render --watch"));
 }
 
