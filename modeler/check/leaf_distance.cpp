@@ -80,10 +80,12 @@ LeafDistance profile_distance(const PlacedLeaf& leaf, Vec2 p) {
     return {d.curved * leaf.profile_scale, d.flat * leaf.profile_scale};
 }
 
+double share_of_height(const shape::Extrusion& e, double z) { return (std::clamp(z, e.z0, e.z1) - e.z0) / (e.z1 - e.z0); }
+Vec2 scale_at(const shape::Extrusion& e, double share) { return Vec2(1) + share * (e.scale_top - Vec2(1)); }
+
 LeafDistance extrusion_distance(const PlacedLeaf& leaf, const shape::Extrusion& e, Vec3 q) {
-    const double z = std::clamp(q.z, e.z0, e.z1);
-    const double share = (z - e.z0) / (e.z1 - e.z0);
-    const Vec2 s = Vec2(1) + share * (e.scale_top - Vec2(1));
+    const double z = std::clamp(q.z, e.z0, e.z1), share = share_of_height(e, q.z);
+    const Vec2 s = scale_at(e, share);
     const double angle = e.twist_deg * share * M_PI / 180;  // undoes a clockwise twist
     const Vec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y, std::sin(angle) * q.x + std::cos(angle) * q.y);
     const Vec2 p = in_profile(leaf, {s.x > 0 ? turned.x / s.x : 0, s.y > 0 ? turned.y / s.y : 0});
@@ -155,12 +157,21 @@ double slope_bound(const PlacedLeaf& leaf) {
     return outer * (profile * (sideways + upward) + 1);
 }
 
+// By how much the leaf is narrower around p than its profile: a step that is short below is not under a roof that ends in a line. 1 on that line itself.
+double narrowing(const PlacedLeaf& leaf, Vec3 p) {
+    const auto* e = std::get_if<shape::Extrusion>(&leaf.shape);
+    if (!e) return 1;
+    const Vec2 s = scale_at(*e, share_of_height(*e, apply_to_point(leaf.inverse, p).z));
+    const double least = std::min(s.x, s.y);
+    return least > 0 ? std::min(1.0, least) : 1;
+}
+
 // value / slope. Near the surface the slope is the mean of its steepness on both sides, by steps that are short against the surface's curvature; elsewhere
 // it is by central differences that stay on one side.
 double first_order(const PlacedLeaf& leaf, Vec3 p, double value, double LeafDistance::*part, double size, const Stretch& stretch) {
     if (!(value < kInfiniteDistance)) return kInfiniteDistance;
     const bool near = value * stretch.most <= kSlopeNoise * size;
-    const double h = near ? kLongStep * size : value * stretch.least / 8;
+    const double h = (near ? kLongStep * size : value * stretch.least / 8) * narrowing(leaf, p);
     Vec3 slope(0);
     for (int i = 0; i < 3; ++i) {
         Vec3 step(0);

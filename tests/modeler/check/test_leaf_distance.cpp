@@ -133,3 +133,24 @@ TEST_CASE("facets far and near are measured alike") {
     CHECK(leaves->nearest({1, 2, 503}, 1e-9, 1e-9, 4).distance == Approx(498).epsilon(1e-3));
     CHECK(leaves->nearest({1, 2, 503}, 1e-9, 1e-9, 4).ratio > 1);
 }
+
+TEST_CASE("a roof that ends in a line is near its walls up to that line") {
+    // A square turned by 30 degrees, its x shrinking to nothing: the walls are x = X(y) (1 - z / 10).
+    SolidBuilder b;
+    const double c = 3 * std::cos(M_PI / 6), s = 1.5;
+    const std::vector<Vec2> square{{c - s, s + c}, {-c - s, c - s}, {s - c, -s - c}, {c + s, s - c}};
+    Use root;
+    root.node = b.shape(shape::Extrusion{b.shape(shape::Polygon{std::make_shared<const Contours>(Contours{square})}), 0, 10, 0, {0, 1}, 0});
+    const Solid roof = b.finish(root);
+    const auto leaves = LeafDistances::of(roof);
+    REQUIRE(leaves);
+    const double slope = (square[0].x - square[3].x) / (square[0].y - square[3].y);
+    for (const double z : {5.0, 9.0, 9.9, 9.96, 9.99, 9.999}) {
+        const double shrunk = 1 - z / 10, y = 1.77, x = square[3].x + (y - square[3].y) * slope;
+        for (const double share : {0.2, -0.2, 0.001}) {
+            const double off = share * x * shrunk;
+            const double truth = std::fabs(off) / std::sqrt(1 + slope * shrunk * slope * shrunk + x * x / 100);
+            CHECK(leaves->nearest({x * shrunk + off, y, z}, 1, 1e-9, 1).distance == Approx(truth).epsilon(0.15));
+        }
+    }
+}
