@@ -32,6 +32,7 @@ struct BuiltinFunction {
     std::string_view signature;
     std::string_view parameters = {};  // "file layer": the names that arguments go by; "*": any
     std::size_t positional = 0;        // how many of these an argument without a name may mean
+    double (*of_number)(Machine& machine, double x) = nullptr;  // where it makes a number of one number: the same without a call's trimmings
 };
 
 // A call of a built-in module: one value a parameter of its table entry, undef where not given.

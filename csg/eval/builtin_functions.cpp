@@ -31,20 +31,24 @@ std::string signature_hint(std::string_view name) {
 namespace {
 
 // A function of one number.
-template <double (*F)(double)>
-Value of_number(FunctionCall& call) {
+template <double (*F)(Machine&, double)>
+Value called_with_number(FunctionCall& call) {
     if (call.count() != 1) return wrong_count(call);
-    if (!call[0].is_number()) return wrong_type(call);
-    return Value(F(call[0].number()));
+    return call[0].is_number() ? Value(F(call.machine, call[0].number())) : wrong_type(call);
 }
 
-Value sine(FunctionCall& call) {
-    if (call.count() != 1) return wrong_count(call);
-    return call[0].is_number() ? Value(call.machine.sine(call[0].number())) : wrong_type(call);
+double sine(Machine& machine, double degrees) { return machine.sine(degrees); }
+double cosine(Machine& machine, double degrees) { return machine.cosine(degrees); }
+
+template <double (*F)(double)>
+double plain(Machine&, double x) {
+    return F(x);
 }
-Value cosine(FunctionCall& call) {
-    if (call.count() != 1) return wrong_count(call);
-    return call[0].is_number() ? Value(call.machine.cosine(call[0].number())) : wrong_type(call);
+
+// Its entry in the table.
+template <double (*F)(Machine&, double)>
+constexpr BuiltinFunction of_number(std::string_view name, std::string_view signature) {
+    return {name, called_with_number<F>, signature, {}, 0, F};
 }
 
 // The whole degree near `degrees` if the forward function of it gives x again.
@@ -163,26 +167,26 @@ Value parent_module(FunctionCall& call) {
 }
 
 constexpr std::array kFunctions = std::to_array<BuiltinFunction>({
-    {"abs", of_number<absolute>, "abs(number) -> number"},
-    {"sign", of_number<sign_of>, "sign(number) -> -1, 0 or 1"},
+    of_number<plain<absolute>>("abs", "abs(number) -> number"),
+    of_number<plain<sign_of>>("sign", "sign(number) -> -1, 0 or 1"),
     {"rands", function_rands, "rands(min, max, count [, seed]) -> list of numbers"},
     {"min", extreme<false>, "min(number, ...) or min(list) -> number"},
     {"max", extreme<true>, "max(number, ...) or max(list) -> number"},
-    {"sin", sine, "sin(degrees) -> number"},
-    {"cos", cosine, "cos(degrees) -> number"},
-    {"tan", of_number<tangent>, "tan(degrees) -> number"},
-    {"asin", of_number<arc_sine>, "asin(number) -> degrees"},
-    {"acos", of_number<arc_cosine>, "acos(number) -> degrees"},
-    {"atan", of_number<arc_tangent>, "atan(number) -> degrees"},
+    of_number<sine>("sin", "sin(degrees) -> number"),
+    of_number<cosine>("cos", "cos(degrees) -> number"),
+    of_number<plain<tangent>>("tan", "tan(degrees) -> number"),
+    of_number<plain<arc_sine>>("asin", "asin(number) -> degrees"),
+    of_number<plain<arc_cosine>>("acos", "acos(number) -> degrees"),
+    of_number<plain<arc_tangent>>("atan", "atan(number) -> degrees"),
     {"atan2", arc_tangent_2, "atan2(y, x) -> degrees"},
-    {"round", of_number<round_away>, "round(number) -> number"},
-    {"ceil", of_number<up>, "ceil(number) -> number"},
-    {"floor", of_number<down>, "floor(number) -> number"},
+    of_number<plain<round_away>>("round", "round(number) -> number"),
+    of_number<plain<up>>("ceil", "ceil(number) -> number"),
+    of_number<plain<down>>("floor", "floor(number) -> number"),
     {"pow", power, "pow(base, exponent) -> number"},
-    {"sqrt", of_number<root>, "sqrt(number) -> number"},
-    {"exp", of_number<exponential>, "exp(number) -> number"},
+    of_number<plain<root>>("sqrt", "sqrt(number) -> number"),
+    of_number<plain<exponential>>("exp", "exp(number) -> number"),
     {"log", logarithm, "log(number) or log(base, number) -> number"},
-    {"ln", of_number<natural_log>, "ln(number) -> number"},
+    of_number<plain<natural_log>>("ln", "ln(number) -> number"),
     {"len", function_len, "len(string or list) -> number"},
     {"str", function_str, "str(value, ...) -> string"},
     {"chr", function_chr, "chr(number, list or range, ...) -> string"},

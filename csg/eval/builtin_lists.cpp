@@ -115,11 +115,30 @@ Value function_concat(FunctionCall& call) {
 
 namespace {
 
-struct Pair { double key, value; };
+bool is_number_pair(const Value& row, LookupPair& pair) {
+    if (!row.is_vector() || row.size() != 2 || !row[0].is_number() || !row[1].is_number()) return false;
+    pair = {row[0].number(), row[1].number()};
+    return true;
+}
 
-std::optional<Pair> number_pair(const Value& v) {
-    if (!v.is_vector() || v.size() != 2 || !v[0].is_number() || !v[1].is_number()) return std::nullopt;
-    return Pair{v[0].number(), v[1].number()};
+// The pairs around p: the greatest key up to it and the least from it on, the first of equals. Where there is none, one on the other side of p.
+struct Neighbours { LookupPair low, high; };
+
+Neighbours neighbours_in(const Value& table, const LookupPair& first, double p) {
+    LookupPair low = first, high = first, pair;
+    for (std::uint32_t i = 1; i < table.size(); ++i) {
+        if (!is_number_pair(table[i], pair)) continue;
+        if (pair.key <= p && (pair.key > low.key || low.key > p)) low = pair;
+        if (pair.key >= p && (pair.key < high.key || high.key < p)) high = pair;
+    }
+    return {low, high};
+}
+
+Neighbours neighbours_in(std::span<const LookupPair> sorted, double p) {
+    const auto from = std::lower_bound(sorted.begin(), sorted.end(), p, [](const LookupPair& pair, double key) { return pair.key < key; });
+    if (from == sorted.end()) return {sorted.back(), sorted.back()};
+    if (from == sorted.begin() || from->key == p) return {*from, *from};
+    return {from[-1], *from};
 }
 
 }  // namespace
@@ -134,17 +153,10 @@ Value function_lookup(FunctionCall& call) {
     if (!call[1].is_vector()) return {};
     const Value& table = call[1];
     const double p = call[0].number();
-    if (table.size() == 0) return {};
-    const std::optional<Pair> first = number_pair(table[0]);
-    if (!first) return {};
-    Pair low = *first, high = *first;
-    for (std::uint32_t i = 1; i < table.size(); ++i) {
-        const Value& row = table[i];
-        if (!row.is_vector() || row.size() != 2 || !row[0].is_number() || !row[1].is_number()) continue;
-        const double key = row[0].number();
-        if (key <= p && (key > low.key || low.key > p)) low = {key, row[1].number()};
-        if (key >= p && (key < high.key || high.key < p)) high = {key, row[1].number()};
-    }
+    LookupPair first;
+    if (table.size() == 0 || !is_number_pair(table[0], first)) return {};
+    const std::span<const LookupPair> sorted = call.machine.lookup_memo().pairs(table, is_number_pair);
+    const auto [low, high] = sorted.empty() ? neighbours_in(table, first, p) : neighbours_in(sorted, p);
     if (p <= low.key) return Value(high.value);
     if (p >= high.key) return Value(low.value);
     const double f = (p - low.key) / (high.key - low.key);

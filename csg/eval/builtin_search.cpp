@@ -1,5 +1,7 @@
 // search(): its many forms.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -32,7 +34,24 @@ bool matches(const Value& what, const Value& row, std::uint32_t column) {
     return row.is_vector() && column < row.size() && equal(row[column], what);
 }
 
+// Is the value this text? Asked of whole tables: lengths and last letters differ first.
+bool is_text(const Value& value, std::string_view text) {
+    if (!value.is_string()) return false;
+    const std::string_view other = value.string();
+    return other.size() == text.size() && (text.empty() || (other.back() == text.back() && std::memcmp(other.data(), text.data(), text.size()) == 0));
+}
+
+std::vector<double> text_in_list(std::string_view text, const Value& table, const Question& q) {
+    std::vector<double> found;
+    for (std::uint32_t i = 0; i < table.size() && (q.hits == 0 || found.size() < q.hits); ++i) {
+        const Value& row = table[i];
+        if ((q.column == 0 && is_text(row, text)) || (row.is_vector() && q.column < row.size() && is_text(row[q.column], text))) found.push_back(i);
+    }
+    return found;
+}
+
 std::vector<double> in_list(const Value& what, const Value& table, const Question& q) {
+    if (what.is_string()) return text_in_list(what.string(), table, q);
     std::vector<double> found;
     for (std::uint32_t i = 0; i < table.size() && (q.hits == 0 || found.size() < q.hits); ++i)
         if (matches(what, table[i], q.column)) found.push_back(i);
@@ -43,8 +62,18 @@ Value search_number(const Value& what, const Value& table, const Question& q) {
     return list_of(q.call.machine.heap(), table.is_vector() ? in_list(what, table, q) : std::vector<double>{});
 }
 
+bool is_ascii(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
 // Characters in a string: a flat list of first places, or a list a character.
 Value search_string_in_string(std::string_view what, std::string_view where, const Question& q) {
+    if (q.hits == 1 && is_ascii(what) && is_ascii(where)) {
+        std::vector<double> places;
+        for (const char c : what)
+            if (const std::size_t at = where.find(c); at != std::string_view::npos) places.push_back(static_cast<double>(at));
+        return list_of(q.call.machine.heap(), places);
+    }
     const std::vector<std::string_view> table = code_points(where);
     std::vector<Value> out;
     for (const std::string_view character : code_points(what)) {

@@ -30,7 +30,7 @@ enum class Op : std::uint8_t {
     kOr, kAnd, kTernary,
     kUnary,     // a, b: ast::Op
     kBinary,    // a, b, c: ast::Op
-    kAdd, kSubtract, kMultiply, kDivide, kLess, kLessEqual, kGreater, kGreaterEqual, kEqual, kNotEqual,  // a, b: the common ones of kBinary
+    kAdd, kSubtract, kMultiply, kDivide, kModulo, kLess, kLessEqual, kGreater, kGreaterEqual, kEqual, kNotEqual,  // a, b: the common ones of kBinary
     kIndex,
     kElement,   // a, b: index 0 to 2: .x .y .z
     kMember,    // a, b: NameId
@@ -47,6 +47,7 @@ enum class Op : std::uint8_t {
     kCallValue, // a: value call
     kTailCallValue,  // likewise, in tail position of function b: where that is what it calls, ends the evaluation of the body
     kBuiltin,   // a: builtin, b: first of `lists`, c: count
+    kNumberFunction,  // likewise, of one argument: a built-in that makes a number of a number
     kUnknownFunction,  // a: NameId
     // Generators: push any number of values.
     kFor,       // a: body, b: first of `binds`, c: count
@@ -123,8 +124,9 @@ struct Matched {
     std::vector<Passed> passed;            // in the order of evaluation
     std::vector<Complaint> complaints;
     struct Default { std::uint32_t slot; TermId value; };
-    std::vector<Default> defaults;         // of a plain call: the parameters that are not given
+    std::vector<Default> defaults;         // of a plain match: the parameters that are not given
     std::uint64_t given = 0;               // which of the first 64 parameters
+    bool plain = false;                    // neither complaints nor $-variables nor defaults that do something: `passed` and `defaults` are all
 };
 
 // Activation in which a callee is defined: some frames up, or a fresh one of a used file.
@@ -138,8 +140,7 @@ struct Call {
     std::uint32_t function = 0;
     Home home;
     Matched matched;
-    bool sets_dynamic = false;
-    bool plain = false;  // neither complaints nor $-variables nor a used file's frame nor defaults that do something
+    bool plain = false;  // the match is, and the function is not a used file's
 };
 
 // Call of whatever value the callee has. Where that is no function, the name may still be that of a function or a built-in.
@@ -169,7 +170,6 @@ struct Scope {
     std::vector<Bind> binds;
     std::vector<InstId> insts;
     std::uint32_t frame_size = kNone;  // index into frame_sizes: has a frame of its own
-    bool sets_dynamic = false;
 };
 
 struct Module {
@@ -197,7 +197,6 @@ struct Inst {
     std::uint32_t frame_size = kNone;  // for, let: a frame for each iteration
     ScopeId children = kNone, otherwise = kNone;
     std::uint8_t modifiers = 0;
-    bool sets_dynamic = false;
     bool has_else = false;     // even an empty one
     SourcePlace place;
 };

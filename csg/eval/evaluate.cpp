@@ -52,7 +52,6 @@ void run_program(const Parsed& parsed, const EvaluateInput& input, Outside& outs
     out.scene = Scene{};
     out.stop = machine.run(out.scene);
     out.scene.fonts = parsed.program->fonts;
-    heap.break_cycles();
 }
 
 }  // namespace
@@ -118,10 +117,15 @@ Result<std::string> parameters_text(const Parsed& parsed) {
 std::string echo_text(const Diagnostics& diagnostics, const SourceTable& sources) {
     std::string out;
     bool unreadable = false;
+    std::size_t length = 0;
+    for (const Diagnostic& d : diagnostics.all()) length += d.text.size() + 8;
+    out.reserve(length);
     for (const Diagnostic& d : diagnostics.all()) {
         if (d.severity == Severity::kNote) continue;
         unreadable |= d.severity == Severity::kError && d.text.rfind("Parser error", 0) == 0;
-        out += format_line(d, sources) + "\n";
+        if (d.severity == Severity::kEcho) out.append("ECHO: ").append(d.text);
+        else out += format_line(d, sources);
+        out.push_back('\n');
     }
     if (unreadable) out += "Can't parse file '" + sources.files[0].path + "'!\n\n";
     return out;

@@ -292,16 +292,8 @@ Matched Lowering::match(ast::ArgumentRange range, const std::vector<Parameter>& 
 // What each call of a function needs beyond its arguments, once all defaults are known.
 void Lowering::prepare_calls() {
     for (Call& call : out_.calls) {
-        const Function& f = out_.functions[call.function];
-        Matched& matched = call.matched;
-        call.plain = !call.sets_dynamic && matched.complaints.empty() && call.home.library == code::kNone && f.parameters.size() <= 64;
-        for (std::size_t i = 0; i < f.parameters.size() && call.plain; ++i) {
-            const Parameter& p = f.parameters[i];
-            if (p.constant && (matched.given >> i & 1)) continue;
-            if (!p.constant) call.plain = false;
-            else matched.defaults.push_back({p.target, p.value});
-        }
-        for (const Passed& p : matched.passed) call.plain &= p.to == Passed::To::kParameter || p.to == Passed::To::kSlot;
+        note_plain(call.matched, out_.functions[call.function].parameters);
+        call.plain = call.matched.plain && call.home.library == code::kNone;
     }
 }
 

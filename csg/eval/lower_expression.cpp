@@ -114,6 +114,7 @@ TermId Lowering::lower_binary(const Expr& e, LexicalScope& scope) {
         case ast::Op::kSubtract: return node(Op::kSubtract, e.place, left, right);
         case ast::Op::kMultiply: return node(Op::kMultiply, e.place, left, right);
         case ast::Op::kDivide: return node(Op::kDivide, e.place, left, right);
+        case ast::Op::kModulo: return node(Op::kModulo, e.place, left, right);
         case ast::Op::kLess: return node(Op::kLess, e.place, left, right);
         case ast::Op::kLessEqual: return node(Op::kLessEqual, e.place, left, right);
         case ast::Op::kGreater: return node(Op::kGreater, e.place, left, right);
@@ -328,8 +329,6 @@ TermId Lowering::lower_named_call(const Expr& e, NameId name, LexicalScope& scop
         const std::vector<Parameter> parameters = out_.functions[found->index].parameters;
         const Layout layout = out_.functions[found->index].layout;
         call.matched = match(range, parameters, layout, parameters.size(), scope);
-        for (const Passed& p : call.matched.passed) call.sets_dynamic |= p.to == Passed::To::kDynamic;
-        for (const Parameter& p : parameters) call.sets_dynamic |= p.dynamic;
         const bool itself = tail && found->index == function_ && found->home.library == code::kNone;
         out_.calls.push_back(std::move(call));
         return node(itself ? Op::kTailCall : Op::kCall, e.place, static_cast<std::uint32_t>(out_.calls.size() - 1));
@@ -348,7 +347,8 @@ TermId Lowering::lower_named_call(const Expr& e, NameId name, LexicalScope& scop
     values = arranged_arguments<TermId>(builtin_functions()[builtin->second], given, std::move(values), names_, made);
     const std::uint32_t first = static_cast<std::uint32_t>(out_.lists.size());
     out_.lists.insert(out_.lists.end(), values.begin(), values.end());
-    return node(Op::kBuiltin, e.place, builtin->second, first, static_cast<std::uint32_t>(values.size()));
+    const bool of_number = values.size() == 1 && builtin_functions()[builtin->second].of_number;
+    return node(of_number ? Op::kNumberFunction : Op::kBuiltin, e.place, builtin->second, first, static_cast<std::uint32_t>(values.size()));
 }
 
 }  // namespace whittle

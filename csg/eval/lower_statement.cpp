@@ -25,7 +25,6 @@ ScopeId Lowering::lower_body(const ast::Scope& scope, LexicalScope& lexical) {
         ++lexical.assigned;
         bind.kind = names_.is_dynamic(a.name) ? BindKind::kDynamic : BindKind::kSlot;
         bind.target = bind.kind == BindKind::kDynamic ? dynamic(a.name) : lexical.locals.at(a.name).slot;
-        out.sets_dynamic |= bind.kind == BindKind::kDynamic;
         out.binds.push_back(bind);
     }
     lexical.assigned = LexicalScope::kAlways;
@@ -120,9 +119,6 @@ InstId Lowering::lower_instantiation(const ast::Instantiation& inst, LexicalScop
             out.arguments = lower_argument_list(inst.arguments, scope);
             break;
     }
-    for (const Passed& p : out.matched.passed) out.sets_dynamic |= p.to == Passed::To::kDynamic;
-    if (out.kind == InstKind::kUser)
-        for (const Parameter& p : out_.modules[out.target].parameters) out.sets_dynamic |= p.dynamic;
     const bool loop = !out.binds.empty() || out.kind == InstKind::kFor || out.kind == InstKind::kIntersectionFor;
     if (!loop) {
         out.children = lower_children(inst.children, scope);
@@ -138,7 +134,6 @@ void Lowering::lower_loop(const ast::Instantiation& inst, Inst& out, LexicalScop
     Layout layout;
     LexicalScope inside = inner_scope(scope, own, own ? layout : *scope.layout);
     out.binds = lower_binds(inst.arguments, inside, out.kind != InstKind::kAssign);
-    for (const Bind& bind : out.binds) out.sets_dynamic |= bind.kind == BindKind::kDynamic;
     out.children = lower_children(inst.children, inside);
     if (!own) return;
     out.frame_size = static_cast<std::uint32_t>(out_.frame_sizes.size());

@@ -45,9 +45,7 @@ Stop Machine::run(Scene& scene) {
         roots_.clear();
     }
     finish(scene);
-    trail_.clear();
-    release(frame);
-    return stop;
+    return stop;  // the frame goes with the heap
 }
 
 // Messages that equal the last five are not repeated.

@@ -4,6 +4,7 @@
 // however deep the calls go. What ends a run early (failed assert, endless recursion, a limit) unwinds as StopRun and never leaves run().
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "csg/eval/code.h"
 #include "csg/eval/evaluate.h"
 #include "csg/eval/large_stack.h"
+#include "csg/eval/lookup_memo.h"
 #include "csg/eval/memo.h"
 #include "csg/eval/random.h"
 #include "csg/eval/value.h"
@@ -53,6 +55,7 @@ public:
     Heap& heap() { return heap_; }
     const Names& names() const { return names_; }
     RandomNumbers& random() { return random_; }
+    LookupMemo& lookup_memo() { return lookup_memo_; }
     double sine(double degrees) { return sine_(degrees); }
     double cosine(double degrees) { return cosine_(degrees); }
     const std::vector<NameId>& module_names() const { return module_names_; }
@@ -88,10 +91,19 @@ private:
 
     // Expressions (run_expression.cpp).
     Value eval(TermId id, Activation* frame);
+    // What most terms are, kept in registers. Where `is` is false, the value is no number and lies in what was handed over for it.
+    struct Number { double value; bool is; };
+    Number number(TermId id, Activation* frame, Value& other);
+    inline Number read(TermId id, Activation* frame, Value& other);  // the same, inline for the commonest
+    static inline Number number_of(const Value& value, Value& other);
+    Number number_of_operation(const code::Term& term, TermId id, Activation* frame, Value& other);
+    Number number_of_function(const code::Term& term, TermId id, Activation* frame, Value& other);
+    const Value* element(const code::Term& term, Activation* frame, Value& hold, Value& other);
+    inline void eval_into(Value& target, TermId id, Activation* frame);
     inline const Value& operand(TermId id, Activation* frame, Value& hold);
     bool truth(TermId id, Activation* frame);
-    Value eval_arithmetic(const code::Term& term, TermId id, Activation* frame);
-    Value eval_comparison(const code::Term& term, TermId id, Activation* frame);
+    // Of two numbers; else nothing, and the result is `other`.
+    std::optional<bool> compared(const code::Term& term, TermId id, Activation* frame, Value& other);
     Value eval_index(const code::Term& term, Activation* frame);
     Value eval_vector(const code::Term& term, TermId id, Activation* frame);
     Value eval_builtin(const code::Term& term, TermId id, Activation* frame);
@@ -111,6 +123,7 @@ private:
     void run_echo(const std::vector<code::Argument>& list, std::size_t first, std::size_t count, Activation* frame);
 
     // Lists (run_elements.cpp).
+    inline void push(Value value);
     void push_elements(TermId id, Activation* frame);
     void push_for(const code::Term& node, TermId id, std::uint32_t bind, Activation* frame);
     void push_elements_in_frames(TermId id, Activation* frame);
@@ -123,7 +136,7 @@ private:
     void for_values(const Value& values, std::uint32_t limit, SourcePlace place, Body body);
 
     // Calls (run_call.cpp).
-    Value call_function(const code::Call& call, Activation* frame, TermId id);
+    Number call_function(const code::Call& call, Activation* frame, TermId id, Value& other);
     Activation* next_frame(const code::Call& call, Activation* frame, TermId id);
     Value run_tail_calls(const code::Function& function, NameId name);
     Value call_value(TermId id, Activation* frame);
@@ -135,6 +148,7 @@ private:
     Activation* home_frame(const code::Home& home, Activation* frame);
     struct Frames { Activation* home; Activation* caller; Activation* into; };
     void set_parameters(NameId callee, const std::vector<code::Parameter>& parameters, const code::Matched& matched, const Frames& frames, SourcePlace place);
+    void set_plain_parameters(const code::Matched& matched, Activation* caller, Activation* into);
     void trace(StopRun& stop, std::string_view name, SourcePlace place);
 
     // $-variables.
@@ -205,6 +219,7 @@ private:
     RandomNumbers random_;
     Memo<sind> sine_;
     Memo<cosd> cosine_;
+    LookupMemo lookup_memo_;
     std::vector<Value> cells_;                              // $-variables
     std::vector<std::pair<std::uint32_t, Value>> trail_;    // what they were
     std::vector<Value, LargeAllocator<Value>> stack_;       // elements of lists being made
@@ -240,6 +255,31 @@ const Value& Machine::operand(TermId id, Activation* frame, Value& hold) {
     if (term.op == code::Op::kOuter) return up(frame, term.a)->slots()[term.b];
     hold = eval(id, frame);
     return hold;
+}
+
+Machine::Number Machine::number_of(const Value& value, Value& other) {
+    if (value.is_number()) return {value.number(), true};
+    other = value;
+    return {0, false};
+}
+
+Machine::Number Machine::read(TermId id, Activation* frame, Value& other) {
+    const code::Term& term = terms_[id];
+    if (term.op == code::Op::kSlot && frame->slots()[term.a].is_number()) return {frame->slots()[term.a].number(), true};
+    if (term.op == code::Op::kConstant && constants_[term.a].is_number()) return {constants_[term.a].number(), true};
+    return number(id, frame, other);
+}
+
+// Requires: nothing that is evaluated reads `target`.
+void Machine::eval_into(Value& target, TermId id, Activation* frame) {
+    if (const Number n = read(id, frame, target); n.is) target = n.value;
+}
+
+// Onto the stack of list elements, which soon becomes large pages.
+void Machine::push(Value value) {
+    constexpr std::size_t kLarge = kLargePage / sizeof(Value), kSmall = kLarge / 32;
+    if (stack_.size() == stack_.capacity()) stack_.reserve(stack_.capacity() < kSmall ? kSmall : std::max(kLarge, 2 * stack_.capacity()));
+    stack_.push_back(std::move(value));
 }
 
 }  // namespace whittle

@@ -66,4 +66,14 @@ Matched match_arguments(const std::vector<NameId>& arguments, const Callee& call
     return out;
 }
 
+void note_plain(Matched& matched, const std::vector<Parameter>& parameters) {
+    matched.plain = matched.complaints.empty() && parameters.size() <= 64;
+    for (std::size_t i = 0; i < parameters.size() && matched.plain; ++i) {
+        const Parameter& p = parameters[i];
+        matched.plain = p.constant && !p.dynamic;
+        if (matched.plain && !(matched.given >> i & 1)) matched.defaults.push_back({p.target, p.value});
+    }
+    for (const Passed& p : matched.passed) matched.plain &= p.to == Passed::To::kParameter || p.to == Passed::To::kSlot;
+}
+
 }  // namespace whittle

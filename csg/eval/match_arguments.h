@@ -22,4 +22,7 @@ struct Callee {
 code::Matched match_arguments(const std::vector<NameId>& arguments, const Callee& callee, const Names& names,
                               const std::function<std::uint32_t(NameId)>& dynamic_of);
 
+// Notes whether a match is plain, and if so the parameters that are not given. Requires: the parameters know their defaults.
+void note_plain(code::Matched& matched, const std::vector<code::Parameter>& parameters);
+
 }  // namespace whittle

@@ -45,21 +45,31 @@ void Machine::set_parameters(NameId callee, const std::vector<Parameter>& parame
     for (auto& [which, value] : dynamics) set_dynamic(which, std::move(value));
 }
 
-Value Machine::call_function(const Call& call, Activation* frame, TermId id) {
+Machine::Number Machine::call_function(const Call& call, Activation* frame, TermId id, Value& other) {
     const code::Function& f = program_.functions[call.function];
     tick();
     const Depth depth(*this, f.depth + 1, "function", call.name, program_.places[id]);
     const std::size_t before = mark();
     try {
         const FrameRef inner(next_frame(call, frame, id));
-        Value result = eval(f.body, inner.get());
-        if (tail_) result = run_tail_calls(f, call.name);
+        Number result = number(f.body, inner.get(), other);
+        if (tail_) {
+            other = run_tail_calls(f, call.name);
+            result = {other.is_number() ? other.number() : 0, other.is_number()};
+        }
         if (trail_.size() > before) undo(before);
         return result;
     } catch (StopRun& stop) {
         trace(stop, names_.text(call.name), program_.places[id]);
         throw;
     }
+}
+
+// The parameters of a call whose match is plain.
+void Machine::set_plain_parameters(const Matched& matched, Activation* caller, Activation* into) {
+    Value* slots = into->slots();
+    for (const Matched::Default& d : matched.defaults) slots[d.slot] = d.value == code::kNone ? Value() : constants_[terms_[d.value].a];
+    for (const Passed& p : matched.passed) eval_into(slots[p.target], p.value, caller);
 }
 
 // The frame of a call of a known function, its parameters set.
@@ -69,9 +79,7 @@ Activation* Machine::next_frame(const Call& call, Activation* frame, TermId id) 
         Activation* home = frame;
         for (std::uint32_t i = 0; i < call.home.frames_up; ++i) home = home->parent;
         FrameRef inner(heap_.frame(f.layout.slots, home));
-        Value* slots = inner.get()->slots();
-        for (const Matched::Default& d : call.matched.defaults) slots[d.slot] = d.value == code::kNone ? Value() : program_.constants[terms_[d.value].a];
-        for (const Passed& p : call.matched.passed) slots[p.target] = eval(p.value, frame);
+        set_plain_parameters(call.matched, frame, inner.get());
         return inner.take();
     }
     const FrameRef home(home_frame(call.home, frame));
@@ -118,7 +126,8 @@ Activation* Machine::frame_of_value_call(std::uint32_t which, const Value& calle
     if (callee.is_function()) retain(callee.function().frame);
     const FrameRef home(callee.is_function() ? callee.function().frame : home_frame(call.home, frame));
     FrameRef inner(heap_.frame(f.layout.slots, home.get()));
-    set_parameters(call.name, f.parameters, matched, {home.get(), frame, inner.get()}, place);
+    if (matched.plain) set_plain_parameters(matched, frame, inner.get());
+    else set_parameters(call.name, f.parameters, matched, {home.get(), frame, inner.get()}, place);
     if (self && !(f.self < 64 && (matched.given >> f.self & 1))) {
         ++self->refs;
         inner.get()->slots()[f.parameters[f.self].target] = Value(self);
@@ -172,6 +181,7 @@ const Matched& Machine::matched_values(std::uint32_t which, std::uint32_t functi
         };
         Matched made = match_arguments(given, {f.parameters, f.layout, f.parameters.size(), is_method ? f.self : code::kNone}, names_, dynamic_of);
         for (Passed& passed : made.passed) passed.value = arguments[passed.value].value;
+        note_plain(made, f.parameters);
         found = matches_.emplace(key, std::move(made)).first;
     }
     last = {function, is_method, &found->second};

@@ -58,8 +58,13 @@ void Machine::push_elements(TermId id, Activation* frame) {
             const FrameRef inner(heap_.frame(program_.frame_sizes[term.b], frame));
             return push_elements(term.a, inner.get());
         }
-        case Op::kSlot: stack_.push_back(frame->slots()[term.a]); return;
-        default: stack_.push_back(eval(id, frame)); return;
+        case Op::kSlot: push(frame->slots()[term.a]); return;
+        default: {
+            Value other;
+            const Number n = number(id, frame, other);
+            push(n.is ? Value(n.value) : std::move(other));
+            return;
+        }
     }
 }
 
@@ -125,8 +130,11 @@ Activation* Machine::copy_frame(Activation* frame, std::uint32_t size) {
 
 // A loop variable named twice is set by the inner loop.
 void Machine::set_loop_variable(const Bind& variable, const Value& value, Activation* frame) {
-    if (variable.kind == BindKind::kSlot || variable.kind == BindKind::kDuplicate) frame->slots()[variable.target] = value;
-    else if (variable.kind == BindKind::kDynamic) set_dynamic(variable.target, value);
+    if (variable.kind == BindKind::kSlot || variable.kind == BindKind::kDuplicate) {
+        Value& slot = frame->slots()[variable.target];
+        if (value.is_number()) slot = value.number();
+        else slot = value;
+    } else if (variable.kind == BindKind::kDynamic) set_dynamic(variable.target, value);
 }
 
 void Machine::push_for_c(const Loop& loop, TermId id, Activation* frame) {
@@ -142,9 +150,9 @@ void Machine::push_for_c(const Loop& loop, TermId id, Activation* frame) {
 
 void Machine::push_each(const Value& value, TermId id) {
     if (value.is_vector() || value.is_range() || value.is_string()) {
-        for_values(value, kMaxIterations, program_.places[id], [this](const Value& element) { stack_.push_back(element); });
+        for_values(value, kMaxIterations, program_.places[id], [this](const Value& element) { push(element); });
     } else if (!value.is_undef()) {
-        stack_.push_back(value);
+        push(value);
     }
 }
 

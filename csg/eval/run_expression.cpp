@@ -30,6 +30,7 @@ ast::Op general(Op op) {
         case Op::kSubtract: return ast::Op::kSubtract;
         case Op::kMultiply: return ast::Op::kMultiply;
         case Op::kDivide: return ast::Op::kDivide;
+        case Op::kModulo: return ast::Op::kModulo;
         case Op::kLess: return ast::Op::kLess;
         case Op::kLessEqual: return ast::Op::kLessEqual;
         case Op::kGreater: return ast::Op::kGreater;
@@ -41,15 +42,27 @@ ast::Op general(Op op) {
 
 }  // namespace
 
+// OpenSCAD evaluates the right operand first, which shows in the order of messages.
+std::optional<bool> Machine::compared(const Term& term, TermId id, Activation* frame, Value& other) {
+    const Number right = read(term.b, frame, other);
+    if (!right.is) {
+        Value hold;
+        other = eval_binary(general(term.op), operand(term.a, frame, hold), other, id);
+        return std::nullopt;
+    }
+    const Number left = read(term.a, frame, other);
+    if (left.is) return compare(term.op, left.value, right.value);
+    other = eval_binary(general(term.op), other, Value(right.value), id);
+    return std::nullopt;
+}
+
 bool Machine::truth(TermId id, Activation* frame) {
     const Term& term = terms_[id];
     switch (term.op) {
         case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual: {
-            Value first, second;
-            const Value& right = operand(term.b, frame, first);
-            const Value& left = operand(term.a, frame, second);
-            if (left.is_number() && right.is_number()) return compare(term.op, left.number(), right.number());
-            return eval_binary(general(term.op), left, right, id).truth();
+            Value other;
+            const std::optional<bool> yes = compared(term, id, frame, other);
+            return yes ? *yes : other.truth();
         }
         case Op::kOr: return truth(term.a, frame) || truth(term.b, frame);
         case Op::kAnd: return truth(term.a, frame) && truth(term.b, frame);
@@ -58,6 +71,86 @@ bool Machine::truth(TermId id, Activation* frame) {
             return operand(id, frame, hold).truth();
         }
     }
+}
+
+// The terms that are numbers as a rule; others take eval.
+Machine::Number Machine::number(TermId id, Activation* frame, Value& other) {
+    for (;;) {
+        const Term& term = terms_[id];
+        switch (term.op) {
+            case Op::kConstant: return number_of(constants_[term.a], other);
+            case Op::kSlot: return number_of(frame->slots()[term.a], other);
+            case Op::kOuter: return number_of(up(frame, term.a)->slots()[term.b], other);
+            case Op::kAdd: case Op::kSubtract: case Op::kMultiply: case Op::kDivide: case Op::kModulo: return number_of_operation(term, id, frame, other);
+            case Op::kTernary: id = truth(term.a, frame) ? term.b : term.c; continue;
+            case Op::kIndex: case Op::kElement: {
+                Value hold;
+                const Value* found = element(term, frame, hold, other);
+                return found ? number_of(*found, other) : Number{0, false};
+            }
+            case Op::kNumberFunction: return number_of_function(term, id, frame, other);
+            case Op::kLet:
+                bind_all(term.b, term.c, frame);
+                id = term.a;
+                continue;
+            case Op::kCall: return call_function(program_.calls[term.a], frame, id, other);
+            default:
+                other = eval(id, frame);
+                if (other.is_number()) return {other.number(), true};
+                return {0, false};
+        }
+    }
+}
+
+Machine::Number Machine::number_of_operation(const Term& term, TermId id, Activation* frame, Value& other) {
+    const Number right = read(term.b, frame, other);
+    if (!right.is) {
+        Value hold;
+        other = eval_binary(general(term.op), operand(term.a, frame, hold), other, id);
+        return {other.is_number() ? other.number() : 0, other.is_number()};
+    }
+    const Number left = read(term.a, frame, other);
+    if (!left.is) {
+        other = eval_binary(general(term.op), other, Value(right.value), id);
+        return {other.is_number() ? other.number() : 0, other.is_number()};
+    }
+    switch (term.op) {
+        case Op::kAdd: return {left.value + right.value, true};
+        case Op::kSubtract: return {left.value - right.value, true};
+        case Op::kMultiply: return {left.value * right.value, true};
+        case Op::kDivide: return {left.value / right.value, true};
+        default: return {remainder_of(left.value, right.value), true};
+    }
+}
+
+Machine::Number Machine::number_of_function(const Term& term, TermId id, Activation* frame, Value& other) {
+    const BuiltinFunction& function = builtin_functions()[term.a];
+    try {
+        const Number x = read(program_.lists[term.b], frame, other);
+        if (x.is) return {function.of_number(*this, x.value), true};
+        Value argument = std::move(other);
+        other = call_builtin(term.a, {&argument, 1}, program_.places[id]);
+        return {other.is_number() ? other.number() : 0, other.is_number()};
+    } catch (StopRun& stop) {
+        trace(stop, function.name, program_.places[id]);
+        throw;
+    }
+}
+
+// The element that list[index] or list.x names, where it lies in a vector that something else or `hold` keeps; else nothing, and its value is `other`.
+const Value* Machine::element(const Term& term, Activation* frame, Value& hold, Value& other) {
+    const Value& whole = operand(term.a, frame, hold);
+    if (term.op == Op::kElement) {
+        if (whole.is_vector() && term.b < whole.size()) return &whole[term.b];
+        other = whole.is_record() ? member_of(whole, std::string_view(&"xyz"[term.b], 1)) : Value();
+        return nullptr;
+    }
+    const Number index = read(term.b, frame, other);
+    if (index.is && whole.is_vector() && index.value >= 0 && index.value < whole.size()) return &whole[static_cast<std::size_t>(index.value)];
+    if (index.is) other = Value(index.value);
+    if (whole.is_record()) other = other.is_string() ? member_of(whole, other.string()) : Value();
+    else other = element_at(heap_, whole, other);
+    return nullptr;
 }
 
 // The ways that most evaluations take; the rest is in eval_slow, so that this frame stays small. What stands in tail position goes round instead of deeper.
@@ -76,22 +169,26 @@ Value Machine::eval(TermId id, Activation* frame) {
             }
             case Op::kTernary: id = truth(term.a, frame) ? term.b : term.c; continue;
             case Op::kOr: case Op::kAnd: return Value(truth(id, frame));
-            case Op::kAdd: case Op::kSubtract: case Op::kMultiply: case Op::kDivide: return eval_arithmetic(term, id, frame);
-            case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual:
-                return eval_comparison(term, id, frame);
-            case Op::kIndex: return eval_index(term, frame);
-            case Op::kElement: {
-                Value hold;
-                const Value& whole = operand(term.a, frame, hold);
-                if (whole.is_vector()) return term.b < whole.size() ? whole[term.b] : Value();
-                return whole.is_record() ? member_of(whole, std::string_view(&"xyz"[term.b], 1)) : Value();
+            case Op::kAdd: case Op::kSubtract: case Op::kMultiply: case Op::kDivide: case Op::kModulo: case Op::kNumberFunction: case Op::kCall: {
+                Value made;
+                if (const Number n = number(id, frame, made); n.is) made = n.value;
+                return made;
+            }
+            case Op::kLess: case Op::kLessEqual: case Op::kGreater: case Op::kGreaterEqual: case Op::kEqual: case Op::kNotEqual: {
+                Value other;
+                const std::optional<bool> yes = compared(term, id, frame, other);
+                return yes ? Value(*yes) : other;
+            }
+            case Op::kIndex: case Op::kElement: {
+                Value hold, other;
+                const Value* found = element(term, frame, hold, other);
+                return found ? *found : std::move(other);
             }
             case Op::kVector: return eval_vector(term, id, frame);
             case Op::kLet:
                 bind_all(term.b, term.c, frame);
                 id = term.a;
                 continue;
-            case Op::kCall: return call_function(program_.calls[term.a], frame, id);
             case Op::kTailCall:
                 tail_ = next_frame(program_.calls[term.a], frame, id);
                 return Value::unset();
@@ -107,37 +204,6 @@ Value Machine::eval(TermId id, Activation* frame) {
     }
 }
 
-// OpenSCAD evaluates the right operand first, which shows in the order of messages.
-Value Machine::eval_arithmetic(const Term& term, TermId id, Activation* frame) {
-    Value first, second;
-    const Value& right = operand(term.b, frame, first);
-    const Value& left = operand(term.a, frame, second);
-    if (!left.is_number() || !right.is_number()) return eval_binary(general(term.op), left, right, id);
-    switch (term.op) {
-        case Op::kAdd: return Value(left.number() + right.number());
-        case Op::kSubtract: return Value(left.number() - right.number());
-        case Op::kMultiply: return Value(left.number() * right.number());
-        default: return Value(left.number() / right.number());
-    }
-}
-
-Value Machine::eval_comparison(const Term& term, TermId id, Activation* frame) {
-    Value first, second;
-    const Value& right = operand(term.b, frame, first);
-    const Value& left = operand(term.a, frame, second);
-    if (left.is_number() && right.is_number()) return Value(compare(term.op, left.number(), right.number()));
-    return eval_binary(general(term.op), left, right, id);
-}
-
-Value Machine::eval_index(const Term& term, Activation* frame) {
-    Value first, second;
-    const Value& list = operand(term.a, frame, first);
-    const Value& index = operand(term.b, frame, second);
-    if (list.is_vector() && index.is_number() && index.number() >= 0 && index.number() < list.size()) return list[static_cast<std::size_t>(index.number())];
-    if (list.is_record()) return index.is_string() ? member_of(list, index.string()) : Value();
-    return element_at(heap_, list, index);
-}
-
 // A member of an object; a function with a parameter `this` comes as a method of it.
 Value Machine::member_of(const Value& record, std::string_view name) {
     const Value* found = record.record().find(name);
@@ -149,7 +215,7 @@ Value Machine::member_of(const Value& record, std::string_view name) {
 Value Machine::eval_vector(const Term& term, TermId id, Activation* frame) {
     Value made = heap_.blank_vector(term.b);
     Value* elements = elements_of_new(made);
-    for (std::uint32_t i = 0; i < term.b; ++i) elements[i] = eval(program_.lists[term.a + i], frame);
+    for (std::uint32_t i = 0; i < term.b; ++i) eval_into(elements[i], program_.lists[term.a + i], frame);
     note_nesting(made);
     if (made.vector().nesting > kMaxValueNesting) fail_too_nested(id);
     return made;
@@ -158,7 +224,7 @@ Value Machine::eval_vector(const Term& term, TermId id, Activation* frame) {
 template <std::size_t Count>
 Value Machine::eval_builtin_of(const Term& term, TermId id, Activation* frame) {
     Value arguments[Count];
-    for (std::size_t i = 0; i < Count; ++i) arguments[i] = eval(program_.lists[term.b + i], frame);
+    for (std::size_t i = 0; i < Count; ++i) eval_into(arguments[i], program_.lists[term.b + i], frame);
     return call_builtin(term.a, arguments, program_.places[id]);
 }
 
@@ -313,7 +379,17 @@ void Machine::bind(const Bind& bind, Value value, Activation* frame) {
 }
 
 void Machine::bind_all(std::uint32_t first, std::uint32_t count, Activation* frame) {
-    for (std::uint32_t i = first; i < first + count; ++i) bind(program_.binds[i], eval(program_.binds[i].value, frame), frame);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        const Bind& b = program_.binds[i];
+        Value made;
+        const Number n = read(b.value, frame, made);
+        if (n.is && b.kind == BindKind::kSlot) {
+            frame->slots()[b.target] = n.value;
+            continue;
+        }
+        if (n.is) made = n.value;
+        bind(b, std::move(made), frame);
+    }
 }
 
 void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, std::size_t count, Activation* frame, SourcePlace place) {

@@ -41,14 +41,17 @@ bool Value::truth_of_object() const {
 void* Heap::allocate_new(std::size_t bytes, std::size_t index) {
     if (index >= kClasses) {
         if (bytes > kMaxBlock || (limit_ > 0 && bytes_ + bytes > limit_)) throw std::bad_alloc();
-        void* block = allocate_large(bytes);
+        LargeBlock* block = new (allocate_large(sizeof(LargeBlock) + bytes)) LargeBlock;
+        block->previous = &large_;
+        block->next = large_.next;
+        large_.next = block->next->previous = block;
         bytes_ += bytes;
-        return block;
+        return block + 1;
     }
     const std::size_t rounded = bytes_of_class(index);
     if (slab_left_ < rounded) {
-        constexpr std::size_t kFirst = 128 * 1024, kDoublings = 5;  // up to two large pages
-        const std::size_t slab = kFirst << std::min(slabs_.size(), kDoublings);
+        constexpr std::size_t kFirst = 128 * 1024;  // then large pages: a fault fills one in the time of sixty small ones
+        const std::size_t slab = slabs_.empty() ? kFirst : slabs_.size() == 1 ? kLargePage : 2 * kLargePage;
         slabs_.reserve(slabs_.size() + 1);
         slabs_.push_back(allocate_large(slab));
         slab_ = static_cast<char*>(slabs_.back());
@@ -61,8 +64,16 @@ void* Heap::allocate_new(std::size_t bytes, std::size_t index) {
     return block;
 }
 
+void Heap::free_large_block(void* block) {
+    LargeBlock* large = static_cast<LargeBlock*>(block) - 1;
+    large->previous->next = large->next;
+    large->next->previous = large->previous;
+    free_large(large);
+}
+
 Heap::~Heap() {
     for (void* slab : slabs_) free_large(slab);
+    for (LargeBlock* block = large_.next; block != &large_;) free_large(std::exchange(block, block->next));
 }
 
 namespace {
@@ -145,10 +156,8 @@ Value Heap::range(double begin, double step, double end) {
 Value Heap::vector(Value* first, std::size_t count) {
     VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
     v->size = static_cast<std::uint32_t>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (first[i].is_nested()) v->nesting = std::max(v->nesting, first[i].nesting() + 1);
-        new (v->data() + i) Value(std::move(first[i]));
-    }
+    for (std::size_t i = 0; i < count; ++i) new (v->data() + i) Value(std::move(first[i]));
+    note_nesting(*v);
     return Value(v);
 }
 
@@ -162,6 +171,7 @@ Value Heap::blank_vector(std::size_t count) {
 Value Heap::numbers(const double* first, std::size_t count) {
     VectorObject* v = make<VectorObject>(*this, Type::kVector, count * sizeof(Value));
     v->size = static_cast<std::uint32_t>(count);
+    v->holds_objects = false;
     for (std::size_t i = 0; i < count; ++i) new (v->data() + i) Value(first[i]);
     return Value(v);
 }
@@ -191,9 +201,6 @@ Value Heap::function(std::uint32_t code, Activation* frame) {
     f->code = code;
     f->frame = frame;
     retain(frame);
-    f->next = functions_;
-    if (functions_) functions_->previous = f;
-    functions_ = f;
     return Value(f);
 }
 
@@ -203,11 +210,6 @@ Value Heap::method(const FunctionObject& f, const RecordObject& self) {
     method.self = const_cast<RecordObject*>(&self);
     ++method.self->refs;
     return made;
-}
-
-void Heap::forget(FunctionObject& f) {
-    (f.previous ? f.previous->next : functions_) = f.next;
-    if (f.next) f.next->previous = f.previous;
 }
 
 namespace {
@@ -252,7 +254,6 @@ private:
             for (std::uint32_t i = 0; i < 2 * r.size; ++i) drop(r.data()[i]);
         } else if (object.type == Type::kFunction) {
             FunctionObject& f = static_cast<FunctionObject&>(object);
-            f.heap->forget(f);
             drop(f.frame);
             if (f.self && --f.self->refs == 0) objects_.push_back(f.self);
         }
@@ -269,11 +270,8 @@ private:
 
 // Has it parts that could die with it?
 bool is_flat(Object& object) {
-    if (object.type != Type::kVector) return object.type != Type::kFunction && object.type != Type::kRecord;
-    VectorObject& v = static_cast<VectorObject&>(object);
-    for (std::uint32_t i = 0; i < v.size; ++i)
-        if (v.data()[i].is_object()) return false;
-    return true;
+    if (object.type == Type::kVector) return !static_cast<VectorObject&>(object).holds_objects;
+    return object.type != Type::kFunction && object.type != Type::kRecord;
 }
 
 }  // namespace
@@ -293,18 +291,6 @@ void release_frame(Activation* frame) {
         frame->heap->free(frame, sizeof(Activation) + frame->size * sizeof(Value));
         frame = parent && --parent->refs == 0 ? parent : nullptr;
     }
-}
-
-void Heap::break_cycles() {
-    std::vector<Activation*> frames;
-    for (FunctionObject* f = functions_; f; f = f->next)
-        for (Activation* frame = f->frame; frame; frame = frame->parent) {
-            frames.push_back(frame);
-            retain(frame);
-        }
-    for (Activation* frame : frames)
-        for (std::uint32_t i = 0; i < frame->size; ++i) frame->slots()[i] = Value::unset();
-    for (Activation* frame : frames) release(frame);
 }
 
 std::uint32_t range_count(const RangeObject& range) {

@@ -28,6 +28,7 @@ const char* type_name(Type type);
 struct Object {
     std::uint32_t refs = 1;
     Type type;
+    bool holds_objects = true;  // of a vector; false: numbers and the like only, which nobody need visit to free it
     Heap* heap;
 };
 
@@ -78,8 +79,6 @@ struct FunctionObject : Object {
     std::uint32_t code = 0;  // index of the function in the program's code
     Activation* frame = nullptr;
     RecordObject* self = nullptr;
-    FunctionObject* previous = nullptr;  // list of the living, for Heap::break_cycles
-    FunctionObject* next = nullptr;
 };
 
 void release_object(Object* object);
@@ -102,6 +101,11 @@ public:
     }
     Value& operator=(Value&& o) noexcept {
         swap(o);
+        return *this;
+    }
+    Value& operator=(double number) {
+        if (is_object()) *this = Value(number);
+        else type_ = Type::kNumber, number_ = number;
         return *this;
     }
     ~Value() {
@@ -170,18 +174,22 @@ const std::uint32_t* RecordObject::order() const { return reinterpret_cast<const
 
 // The elements of a vector that nobody else holds yet.
 inline Value* elements_of_new(Value& vector) { return static_cast<VectorObject*>(vector.object())->data(); }
-// To be called when they are filled: notes how deep they nest.
-inline void note_nesting(Value& vector) {
-    VectorObject& v = *static_cast<VectorObject*>(vector.object());
+// To be called when they are filled: notes how deep they nest and whether there are objects among them.
+inline void note_nesting(VectorObject& v) {
+    v.holds_objects = false;
     for (std::uint32_t i = 0; i < v.size; ++i) {
         const Value& element = v.data()[i];
+        if (!element.is_object()) continue;
+        v.holds_objects = true;
         if (element.is_nested() && element.nesting() >= v.nesting) v.nesting = element.nesting() + 1;
     }
 }
+inline void note_nesting(Value& vector) { note_nesting(*static_cast<VectorObject*>(vector.object())); }
 std::uint32_t Value::size() const { return vector().size; }
 const Value& Value::operator[](std::size_t i) const { return vector().data()[i]; }
 
-// Makes objects and counts their bytes. Small blocks are kept for reuse. All values made on it must be gone before it goes.
+// Makes objects and counts their bytes. Small blocks are kept for reuse. What is still in it when it goes, goes with it unvisited: functions that a variable of
+// their own frame names would never go otherwise, and the values of a whole run need not be taken apart at its end. No Value may outlive it.
 class Heap {
 public:
     Heap() = default;
@@ -223,13 +231,9 @@ public:
     void free(void* block, std::size_t bytes) {
         bytes_ -= bytes;
         const std::size_t index = class_of(bytes);
-        if (index >= kClasses) return free_large(block);
+        if (index >= kClasses) return free_large_block(block);
         free_[index] = new (block) FreeBlock{free_[index]};
     }
-
-    void forget(FunctionObject& function);
-    // Empties the frames that living functions hold: a function that a variable of its own frame names would never go otherwise.
-    void break_cycles();
 
 private:
     // Blocks up to kSmall bytes are pooled by steps of kStep, larger ones up to kMiddle by powers of two; beyond, they are the system's.
@@ -241,12 +245,18 @@ private:
     }
     static constexpr std::size_t bytes_of_class(std::size_t index) { return index < kSmallClasses ? index * kStep : kSmall << (index - kSmallClasses + 1); }
     void* allocate_new(std::size_t bytes, std::size_t index);
+    void free_large_block(void* block);
+    // Stands before a block of the system's; all of them are a ring.
+    struct alignas(16) LargeBlock {
+        LargeBlock* previous = this;
+        LargeBlock* next = this;
+    };
     struct FreeBlock { FreeBlock* next; };
     static constexpr std::size_t kMaxBlock = std::size_t{3} << 30;  // sizes are 32 bits
     std::uint64_t bytes_ = 0, limit_ = 0;
     FreeBlock* free_[kClasses] = {};
     std::vector<void*> slabs_;
-    FunctionObject* functions_ = nullptr;
+    LargeBlock large_;
     char* slab_ = nullptr;
     std::size_t slab_left_ = 0;
 };

@@ -265,14 +265,13 @@ Value bits(Op op, const Value& a, const Value& b, std::string& problem) {
     return Value(static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << y)));
 }
 
-// fmod; whole numbers below 2^31 by the processor's division.
-double remainder(double a, double b) {
+}  // namespace
+
+double remainder_of(double a, double b) {
     const auto whole = [](double x) { return std::fabs(x) < 0x1p31 && x == static_cast<double>(static_cast<std::int32_t>(x)); };
     if (!whole(a) || !whole(b) || b == 0) return std::fmod(a, b);
-    return std::copysign(static_cast<double>(static_cast<std::int64_t>(a) % static_cast<std::int64_t>(b)), a);
+    return std::copysign(static_cast<double>(static_cast<std::int32_t>(a) % static_cast<std::int32_t>(b)), a);
 }
-
-}  // namespace
 
 Value binary_operation(Heap& heap, Op op, const Value& left, const Value& right, std::string& problem) {
     switch (op) {
@@ -287,7 +286,7 @@ Value binary_operation(Heap& heap, Op op, const Value& left, const Value& right,
         case Op::kMultiply: return product(heap, left, right, problem);
         case Op::kDivide: return quotient(heap, left, right, problem);
         case Op::kModulo:
-            if (left.is_number() && right.is_number()) return Value(remainder(left.number(), right.number()));
+            if (left.is_number() && right.is_number()) return Value(remainder_of(left.number(), right.number()));
             return undefined(op, left, right, problem);
         case Op::kPower:
             if (left.is_number() && right.is_number()) return Value(Sleef_cinz_powd1_u10purec(left.number(), right.number()));

@@ -12,6 +12,9 @@ namespace whittle {
 Value binary_operation(Heap& heap, ast::Op op, const Value& left, const Value& right, std::string& problem);
 Value unary_operation(Heap& heap, ast::Op op, const Value& operand, std::string& problem);
 
+// fmod; whole numbers below 2^31 by the processor's division.
+double remainder_of(double a, double b);
+
 // Equality never fails: different types are unequal.
 bool equal(const Value& left, const Value& right);
 

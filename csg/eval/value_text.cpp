@@ -1,8 +1,12 @@
 #include "csg/eval/value_text.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -22,8 +26,9 @@ constexpr int kMostTens = 22;
 // power of ten, off by half an ulp of itself, leaves no doubt. Nothing near a half or a border of two exponents is answered.
 bool quick_six_digits(double number, std::uint32_t& digits, int& exponent) {
     if (!(number >= 1e-15 && number < 1e20)) return false;
-    constexpr double kLog2 = 0.30102;  // a little less than log10(2): the exponent is right or one too small
-    exponent = static_cast<int>(std::floor(std::ilogb(number) * kLog2)) - 1;
+    constexpr int kLog2 = 78913, kLog2Bits = 18;  // a little less than log10(2): the exponent is right or one too small
+    const int binary = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52) - 1023;
+    exponent = (binary * kLog2 >> kLog2Bits) - 1;
     double scaled = 1e6;
     while (scaled >= 999999.25) {
         const int shift = kDigits - 1 - ++exponent;
@@ -31,9 +36,10 @@ bool quick_six_digits(double number, std::uint32_t& digits, int& exponent) {
         scaled = shift >= 0 ? number * kTens[shift] : number / kTens[-shift];
     }
     if (!(scaled >= 1e5 && scaled < 999999.25)) return false;
-    const double below = std::floor(scaled), rest = scaled - below;
+    digits = static_cast<std::uint32_t>(scaled);
+    const double rest = scaled - digits;
     if (std::fabs(rest - 0.5) < 0x1p-30) return false;  // an ulp of 1e6 is 2^-33
-    digits = static_cast<std::uint32_t>(below) + (rest > 0.5 ? 1 : 0);
+    digits += rest > 0.5 ? 1 : 0;
     return true;
 }
 
@@ -65,20 +71,59 @@ int sure_six_digits(double number, std::uint32_t& value) {
     return exponent;
 }
 
+// "00" to "99".
+constexpr auto kPairs = [] {
+    std::array<char, 200> pairs{};
+    for (std::size_t i = 0; i < 100; ++i) pairs[2 * i] = static_cast<char>('0' + i / 10), pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+    return pairs;
+}();
+
+void write_pair(char* to, std::uint32_t below_100) { std::memcpy(to, &kPairs[2 * below_100], 2); }
+
 int six_digits(double number, char (&digits)[kDigits]) {
     std::uint32_t value = 0;
     int exponent = 0;
     if (!quick_six_digits(number, value, exponent)) exponent = sure_six_digits(number, value);
-    for (int i = kDigits; i-- > 0; value /= 10) digits[i] = static_cast<char>('0' + value % 10);
+    write_pair(digits, value / 10000);
+    write_pair(digits + 2, value / 100 % 100);
+    write_pair(digits + 4, value % 100);
     return exponent;
 }
 
-void append_integer(std::string& out, std::uint32_t number) {
+char* write_integer(char* to, std::uint32_t number) {
     char text[10];
     int at = 10;
-    do text[--at] = static_cast<char>('0' + number % 10);
-    while ((number /= 10) > 0);
-    out.append(text + at, static_cast<std::size_t>(10 - at));
+    for (; number >= 100; number /= 100) write_pair(text + (at -= 2), number % 100);
+    if (number >= 10) write_pair(text + (at -= 2), number);
+    else text[--at] = static_cast<char>('0' + number);
+    return std::copy(text + at, text + 10, to);
+}
+
+// A positive number by its six digits; gives the end of the text.
+char* write_digits(char* to, double number) {
+    char digits[kDigits];
+    const int exponent = six_digits(number, digits);
+    int count = kDigits;
+    while (count > 1 && digits[count - 1] == '0') --count;
+    if (exponent >= 6 || exponent < -5) {
+        *to++ = digits[0];
+        if (count > 1) *to++ = '.';
+        to = std::copy(digits + 1, digits + count, to);
+        *to++ = 'e';
+        *to++ = exponent < 0 ? '-' : '+';
+        return write_integer(to, static_cast<std::uint32_t>(std::abs(exponent)));
+    }
+    if (exponent < 0) {
+        *to++ = '0';
+        *to++ = '.';
+        to = std::fill_n(to, -exponent - 1, '0');
+        return std::copy(digits, digits + count, to);
+    }
+    const int whole = exponent + 1;
+    to = std::copy(digits, digits + whole, to);
+    if (count <= whole) return to;
+    *to++ = '.';
+    return std::copy(digits + whole, digits + count, to);
 }
 
 }  // namespace
@@ -88,37 +133,18 @@ void append_number(std::string& out, double number) {
         out += "nan";
         return;
     }
-    if (std::isinf(number)) {
-        out += number > 0 ? "inf" : "-inf";
-        return;
-    }
-    if (std::fabs(number) < 100000 && number == std::trunc(number)) {
-        if (number < 0) out.push_back('-');
-        return append_integer(out, static_cast<std::uint32_t>(std::fabs(number)));
-    }
-    if (number < 0) out.push_back('-');
-    char digits[kDigits];
-    const int exponent = six_digits(std::fabs(number), digits);
-    int count = kDigits;
-    while (count > 1 && digits[count - 1] == '0') --count;
-    if (exponent >= 6 || exponent < -5) {
-        out.push_back(digits[0]);
-        if (count > 1) out.push_back('.');
-        out.append(digits + 1, static_cast<std::size_t>(count - 1));
-        out += exponent < 0 ? "e-" : "e+";
-        append_integer(out, static_cast<std::uint32_t>(std::abs(exponent)));
-    } else if (exponent < 0) {
-        out += "0.";
-        out.append(static_cast<std::size_t>(-exponent - 1), '0');
-        out.append(digits, static_cast<std::size_t>(count));
+    char text[24];
+    char* end = text;
+    if (number < 0) *end++ = '-';
+    number = std::fabs(number);
+    if (number < 100000 && number == static_cast<double>(static_cast<std::uint32_t>(number))) {
+        end = write_integer(end, static_cast<std::uint32_t>(number));
+    } else if (std::isinf(number)) {
+        end = std::copy_n("inf", 3, end);
     } else {
-        const int whole = exponent + 1;
-        for (int i = 0; i < whole; ++i) out.push_back(i < count ? digits[i] : '0');
-        if (count > whole) {
-            out.push_back('.');
-            out.append(digits + whole, static_cast<std::size_t>(count - whole));
-        }
+        end = write_digits(end, number);
     }
+    out.append(text, static_cast<std::size_t>(end - text));
 }
 
 void append_value(std::string& out, const Value& value, const FunctionText& functions) {

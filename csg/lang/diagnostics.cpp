@@ -6,6 +6,7 @@ namespace whittle {
 
 void Diagnostics::add(Severity severity, SourcePlace place, std::string text, std::string hint) {
     if (severity == Severity::kError) ++errors_;
+    if (all_.size() == all_.capacity()) all_.reserve(std::max<std::size_t>(16, 4 * all_.size()));  // moving tens of thousands twice costs more than room
     all_.push_back({severity, place, std::move(text), std::move(hint)});
 }
 
