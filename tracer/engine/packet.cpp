@@ -206,7 +206,7 @@ void hits_of_tile(const Program& program, const Io& io, int first, int count, do
 template <class Io>
 void hits_of_all(const Program& program, const Io& io, int count, double t_max, Scratch& scratch) {
     // Packets are made of these passes.
-    if (!program.makes(EnginePass::kFirst) || !program.makes(EnginePass::kFilter)) return hits_alone(program, io, 0, count, t_max, scratch);
+    if (!program.makes(EnginePass::kFirst) || !program.makes(EnginePass::kFilter) || program.mostly_turned) return hits_alone(program, io, 0, count, t_max, scratch);
     for (int i = 0; i < count; i += kTileRays) hits_of_tile(program, io, i, std::min(count - i, kTileRays), t_max, scratch);
 }
 
@@ -303,7 +303,7 @@ void any_of_tile(const Program& program, const Io& io, int first, int count, Scr
 
 template <class Io>
 void any_of_all(const Program& program, const Io& io, int count, Scratch& scratch) {
-    if (!program.makes(EnginePass::kFilter)) return any_alone(program, io, 0, count, scratch);
+    if (!program.makes(EnginePass::kFilter) || program.mostly_turned) return any_alone(program, io, 0, count, scratch);
     for (int i = 0; i < count; i += kTileRays) any_of_tile(program, io, i, std::min(count - i, kTileRays), scratch);
 }
 

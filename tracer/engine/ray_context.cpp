@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "tracer/engine/turned.h"
 
 namespace whittle {
 
@@ -13,11 +12,13 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
         frame_stamps_.assign(program.frames.size(), 0);
         frame_rays_.resize(program.frames.size());
         moved_.resize(program.motions.size() > 1 ? program.frames.size() : 0);
+        turned_.clear();
         stamp_ = 0;
     }
     program_ = &program;
     if (++stamp_ == 0) {
         std::fill(frame_stamps_.begin(), frame_stamps_.end(), 0);
+        turned_.clear();
         stamp_ = 1;
     }
     ray_ = ray;
@@ -91,23 +92,41 @@ bool RayContext::leaves(ClassId id) const {
 }
 
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
+    if (is_turned(s.kind)) return turned_crossings(id, s, out);
     const FrameRay& local = frame_ray(s.frame);
-    if (whittle::is_turned(s.kind)) {
-        if (filtered_turned(s, frame(s.frame), local, leaves(id), out)) return;
-        ++counters_->escalated_double_double;
-        if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
-        if (!is_transcendental(id)) {
-            out = exact(id).crossings;
-            return;
-        }
-        leave_unsettled(id);
-        unsettled_turned(s, frame(s.frame), ray_, leaves(id), out);
-        return;
-    }
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
     if (decided || !kCertifies) return;
     ++counters_->escalated_double_double;
     if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
+}
+
+void RayContext::turned_crossings(ClassId id, const Support& s, Crossings& out) {
+    TurnedMemory::Side& side = turned_.side(id, stamp_);
+    if (side.stamp != stamp_) {
+        side.id = id;
+        side.stamp = stamp_;
+        find_turned(id, s, side.crossings);
+    }
+    out = side.crossings;
+}
+
+void RayContext::find_turned(ClassId id, const Support& s, Crossings& out) {
+    TurnedMemory::Piece& piece = turned_.piece(s.frame, stamp_);
+    if (piece.stamp != stamp_) {
+        const FrameRay& local = frame_ray(s.frame);
+        piece.frame = s.frame;
+        piece.stamp = stamp_;
+        piece.in_double = turned_series(*frame(s.frame).twist, local, piece.series);
+    }
+    if (piece.in_double && series_crossings(s, piece.series, leaves(id), out)) return;
+    ++counters_->escalated_double_double;
+    if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
+    if (!is_transcendental(id)) {
+        out = exact(id).crossings;
+        return;
+    }
+    leave_unsettled(id);
+    unsettled_turned(s, frame(s.frame), ray_, leaves(id), out);
 }
 
 // The steps of filtered_crossings(), with what balls have in common taken once.
@@ -145,7 +164,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
         return true;
     }
     const Support& s = program_->classes[e.id];
-    if (whittle::is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
+    if (is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
     return fine_crossing(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
 }
 

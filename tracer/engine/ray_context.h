@@ -13,6 +13,7 @@
 #include "tracer/engine/exact_crossings.h"
 #include "tracer/engine/mutation.h"
 #include "tracer/engine/program.h"
+#include "tracer/engine/turned_series.h"
 
 namespace whittle {
 
@@ -22,6 +23,47 @@ struct Event {
     ClassId id = kNoClass;
     std::uint8_t index = 0;
     bool before = false;
+};
+
+// What was found of turned sides on the ray, which cells share: the last few of each.
+class TurnedMemory {
+public:
+    struct Piece {
+        FrameId frame = 0;
+        std::uint32_t stamp = 0;  // of the ray; 0: of none
+        bool in_double = false;
+        TurnedSeries series;
+    };
+    struct Side {
+        ClassId id = 0;
+        std::uint32_t stamp = 0;
+        Crossings crossings;
+    };
+
+    // Where they are kept: another's, or of another ray, where the stamp is not the ray's.
+    Piece& piece(FrameId frame, std::uint32_t stamp) { return other_if(place(pieces_, kPieces, frame), stamp, [&](const Piece& p) { return p.frame == frame; }); }
+    Side& side(ClassId id, std::uint32_t stamp) { return other_if(place(sides_, kSides, id), stamp, [&](const Side& s) { return s.id == id; }); }
+    void clear() {
+        pieces_.clear();
+        sides_.clear();
+    }
+
+private:
+    static constexpr std::size_t kPieces = 16, kSides = 128;
+
+    template <class T>
+    static T& place(std::vector<T>& kept, std::size_t count, std::uint32_t number) {
+        if (kept.empty()) kept.resize(count);
+        return kept[number % count];
+    }
+    template <class T, class Same>
+    static T& other_if(T& kept, std::uint32_t stamp, Same same) {
+        if (kept.stamp == stamp && !same(kept)) kept.stamp = 0;
+        return kept;
+    }
+
+    std::vector<Piece> pieces_;
+    std::vector<Side> sides_;
 };
 
 class RayContext {
@@ -76,6 +118,8 @@ private:
     bool leaves(ClassId id) const;
     void leave_unsettled(ClassId id);
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
+    void turned_crossings(ClassId id, const Support& s, Crossings& out);
+    void find_turned(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
     int compare_closely(const Event& a, const Event& b);
     bool fine(const Event& e, double& high, double& low, double& error);
@@ -97,6 +141,7 @@ private:
     std::vector<Frame> moved_;  // frames of motion groups, at the ray's time
     std::vector<Exact> exact_;
     FacetSearch facet_search_;
+    TurnedMemory turned_;
 };
 
 }  // namespace whittle

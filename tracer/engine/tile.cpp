@@ -346,7 +346,21 @@ bool holds(const Program& program, Ref ref) {
 
 }  // namespace
 
+namespace {
+
+bool is_mostly_turned(const Program& program) {
+    const auto has_turned_sides = [&](const Leaf& leaf) {
+        // They stand last.
+        return leaf.kind == FormulaKind::kCell && leaf.count > 0 && is_turned(program.classes[program.half_spaces[leaf.first + leaf.count - 1].id()].kind);
+    };
+    const auto turned = std::count_if(program.leaves.begin(), program.leaves.end(), has_turned_sides);
+    return 2 * static_cast<std::size_t>(turned) > program.leaves.size();
+}
+
+}  // namespace
+
 void describe_for_packets(Program& program) {
+    program.mostly_turned = is_mostly_turned(program);
     struct Users {
         std::uint32_t leaf = 0, count = 0;
         bool silent_cutters = true, of_facets = false, exact = true;

@@ -10,7 +10,8 @@
 
 #include "csg/base/degrees.h"
 #include "csg/span/perturbation.h"
-#include "tracer/engine/turned_function.h"
+#include "tracer/engine/turned_angle.h"
+#include "tracer/engine/turned_series.h"
 
 namespace whittle {
 
@@ -19,73 +20,6 @@ namespace {
 constexpr double kMargin = 0x1p-10;  // by which the window is larger than the piece, as a share of its size
 constexpr double kPlain = 0x1p-14;   // entering the frame must round less than this share
 constexpr double kRoom = 1 + 0x1p-40;
-
-Near half_pi(const Near&) { return Near::within(0x1.921fb54442d18p+0, 0x1.2p-54); }
-Bounded half_pi(const Bounded&) { return Bounded::about(0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, 0x1p-107); }
-
-// Sine and cosine of what is at most pi/4 by their series.
-template <std::size_t terms>
-double series(double square, const std::array<double, terms>& k) {
-    double sum = k[terms - 1];
-    for (std::size_t i = terms - 1; i-- > 0;) sum = sum * square + k[i];
-    return sum;
-}
-
-void small_angle(const Near& r, Near& cosine, Near& sine) {
-    constexpr std::array<double, 8> kSine{-1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
-    constexpr std::array<double, 9> kCosine{-1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000,
-                                            -1.0 / 6402373705728000};
-    const double x = r.high(), q = x * x;
-    // The series end below 2^-62; its roundings are under two units.
-    const double error = r.error() + (x == 0 ? 0 : 0x1p-51);
-    cosine = Near::within(1 + q * series(q, kCosine), error);
-    sine = Near::within(x + x * q * series(q, kSine), error);
-}
-
-void small_angle(const Bounded& r, Bounded& cosine, Bounded& sine) {
-    constexpr int kTerms = 34;  // (pi/4)^35 / 35! < 2^-145
-    const Bounded q = without_error(r) * without_error(r);
-    Bounded even(1.0), odd = without_error(r);
-    cosine = even;
-    sine = odd;
-    for (int n = 2; n < kTerms; n += 2) {
-        even = -(even * q) / Bounded(static_cast<double>(n * (n - 1)));
-        odd = -(odd * q) / Bounded(static_cast<double>(n * (n + 1)));
-        cosine = cosine + even;
-        sine = sine + odd;
-    }
-    const double rest = r.is_zero() ? 0 : r.error() + 0x1p-130;
-    cosine = Bounded::about(cosine.high(), cosine.low(), cosine.error() + rest);
-    sine = Bounded::about(sine.high(), sine.low(), sine.error() + rest);
-}
-
-// False: the angle is out of all proportion.
-template <class N>
-bool turn(const N& angle, N& cosine, N& sine) {
-    constexpr double kMostQuarters = 0x1p30;
-    const double quarters = std::nearbyint(angle.high() / 0x1.921fb54442d18p+0);
-    if (!(std::abs(quarters) < kMostQuarters)) return false;
-    N rest = angle;
-    if (quarters != 0) {
-        // Exact but for the last places: double has the quarter turn in two parts.
-        if constexpr (std::is_same_v<N, Near>) {
-            const double first = std::fma(-quarters, 0x1.921fb54442d18p+0, angle.high()), second = std::fma(-quarters, 0x1.1a62633145c07p-54, first);
-            rest = Near::within(second, angle.error() + 0x1p-52 * std::abs(second) + 0x1p-105 * std::abs(quarters));
-        } else {
-            rest = angle - N(quarters) * half_pi(angle);
-        }
-    }
-    if (!(std::abs(rest.high()) < 0.8) || !(rest.error() < 0x1p-8)) return false;
-    N c, s;
-    small_angle(rest, c, s);
-    switch (static_cast<long long>(quarters) & 3) {
-        case 0: cosine = c, sine = s; break;
-        case 1: cosine = -s, sine = c; break;
-        case 2: cosine = -c, sine = -s; break;
-        default: cosine = s, sine = -c; break;
-    }
-    return true;
-}
 
 template <class N>
 struct TurnedRoots {
@@ -98,7 +32,7 @@ template <class N>
 class TurnedLine {
 public:
     TurnedLine(const Support& support, const Twist& twist, const std::array<N, 3>& o, const std::array<N, 3>& d) : support_(support), twist_(twist), o_(o), d_(d) {
-        if (twist.degrees != 0) rate_ = N(twist.degrees) * half_pi(N()) / (N(90.0) * (N(twist.z1) - N(twist.z0)));
+        if (twist.degrees != 0) rate_ = turned::rate<N>(twist);
     }
 
     template <std::size_t K = 1>
@@ -109,7 +43,7 @@ public:
         T cosine(N(1.0)), sine;
         if (twist_.degrees != 0) {
             N c, s;
-            if (!turn<N>(rate_ * (x[2].c[0] - N(twist_.z0)), c, s)) return {};
+            if (!turned::turn(rate_ * (x[2].c[0] - N(twist_.z0)), c, s)) return {};
             // The derivatives go around: -s, -c, s, c.
             const N speed = rate_ * d_[2];
             N power(1.0);
@@ -146,12 +80,11 @@ public:
     }
 
 private:
-    // In double the tangent and a bound of the second derivative do for most rays. A ray that nearly lies in the side has tiny derivatives of every order, which
-    // bounds by magnitudes do not see: the finer tier takes more of them, enough that of what only tapers, a polynomial, nothing is left out.
-    static constexpr bool kFine = std::is_same_v<N, Bounded>;
-    static constexpr std::size_t kTerms = kFine ? 5 : 1;
-    static constexpr double kLeast = kFine ? 0x1p-70 : 0x1p-36;
-    static constexpr int kMostParts = kFine ? 600 : 100;
+    // A ray that nearly lies in the side has tiny derivatives of every order, which bounds by magnitudes do not see: enough of them are taken that of what
+    // only tapers, a polynomial, nothing is left out.
+    static constexpr std::size_t kTerms = 5;
+    static constexpr double kLeast = 0x1p-70;
+    static constexpr int kMostParts = 600;
 
     int sign_at(double t) const {
         const N v = at(N(t)).c[0];
@@ -322,25 +255,6 @@ bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
         if (!(rounding < kPlain * size)) return false;
     }
     out = {from, to};
-    return true;
-}
-
-bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out) {
-    TurnedWindow window;
-    if (!turned_window(*frame.twist, ray, window)) return false;
-    std::array<Near, 3> o, d;
-    for (std::size_t i = 0; i < 3; ++i) {
-        o[i] = Near::within(ray.o[i], ray.eo[i]);
-        d[i] = Near::within(ray.d[i], ray.ed[i]);
-    }
-    TurnedRoots<Near> roots;
-    if (!TurnedLine<Near>(support, *frame.twist, o, d).roots(window, leaving, roots)) return false;
-    out.first_sign = static_cast<std::int8_t>(roots.first_sign);
-    out.count = static_cast<std::int8_t>(roots.count);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(roots.count); ++i) {
-        out.t[i] = roots.t[i].high();
-        out.error[i] = roots.t[i].error();
-    }
     return true;
 }
 

@@ -22,9 +22,6 @@ bool turned_window(const Twist& twist, const FrameRay& ray, TurnedWindow& out);
 
 // Requires of what follows: is_turned(support.kind), and the frame is the support's.
 
-// False: double cannot tell.
-bool filtered_turned(const Support& support, const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out);
-
 // In double-double. False: not decidable.
 bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out);
 

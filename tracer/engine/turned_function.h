@@ -120,9 +120,15 @@ T curve(const Support& s, const T& x, const T& y, const T& unit) {
     return square(across) + whole * (unit * along);
 }
 
-// At the point x of the frame, where cosine and sine are those of the angle at its height; in homogeneous coordinates `weighted` multiplies by the last of them.
+// A point in homogeneous coordinates of the profile.
+template <class T>
+struct InProfile {
+    T x, y, unit;
+};
+
+// Of the point x of the frame, where cosine and sine are those of the angle at its height; in homogeneous coordinates `weighted` multiplies by the last of them.
 template <class T, class Weighted>
-T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine, const Weighted& weighted) {
+InProfile<T> in_profile(const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine, const Weighted& weighted) {
     using K = typename T::Number;
     T u = x[0], v = x[1], unit = weighted(K(1.0));
     if (w.scale_x != 1 || w.scale_y != 1) {
@@ -139,8 +145,14 @@ T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T&
             unit = kx * ky;
         }
     }
-    if (w.degrees == 0) return curve(s, u, v, unit);
-    return curve(s, cosine * u - sine * v, sine * u + cosine * v, unit);
+    if (w.degrees == 0) return {u, v, unit};
+    return {cosine * u - sine * v, sine * u + cosine * v, unit};
+}
+
+template <class T, class Weighted>
+T function(const Support& s, const Twist& w, const std::array<T, 3>& x, const T& cosine, const T& sine, const Weighted& weighted) {
+    const InProfile<T> at = in_profile(w, x, cosine, sine, weighted);
+    return curve(s, at.x, at.y, at.unit);
 }
 
 template <class T>
