@@ -32,7 +32,7 @@ Result<ArrangedMesh> arranged(std::span<const Operand> operands, Expression& exp
     stats.pairs += small->pairs;
     stats.small_faces += small->faces.size();
     stats.seconds_cut += lap.seconds();
-    const auto sides = classify(patches, tree, *small, buried, expression);
+    const auto sides = classify(patches, tree, *small, buried, operands, options.matters ? Matters::kTell : Matters::kLeaveOut, expression);
     if (!sides) return tl::unexpected(sides.error());
     stats.seconds_classify += lap.seconds();
     ArrangedMesh mesh = surface_of(patches, operands, *small, *sides, options, stats);

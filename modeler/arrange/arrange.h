@@ -35,12 +35,14 @@ struct ArrangedMesh {
     std::vector<Vec3> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<FacetTag> tags;   // Operand::tag_base included
+    std::vector<std::uint32_t> filled;  // where asked for: of a triangle that shows the matter which remains (OperandMatter) that matter, else kNone
     bool on_grid = true;          // nothing was rounded
 };
 
 struct ArrangeOptions {
     bool join = true;                       // join flat pieces of one facet and straight pieces of one edge
     std::function<bool()> cancelled = [] { return false; };
+    bool matters = false;                   // tell whose facet shows and what matter remains as rays do: several are to be seen
     bool bury = true;                       // leave out facets within operands that settle the result there; off for comparison
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "modeler/arrange/sets.h"
+#include "modeler/arrange/shown.h"
 
 namespace whittle {
 namespace {
@@ -155,12 +156,22 @@ double area_of(const PointTable& points, const SmallFace& f) {
 // Walks over the regions of one connected piece of surface, switching operands.
 class Walker {
 public:
-    Walker(const Patches& patches, const SmallFaces& small, const Regions& regions, const Buried& buried, Expression& expression)
-        : patches_(patches), small_(small), regions_(regions), buried_(buried), expression_(expression), winding_(expression.operand_count(), 0),
-          inside_(regions.count(), kUnknown) {}
+    Walker(const Patches& patches, const SmallFaces& small, const Regions& regions, const Buried& buried, std::span<const Operand> operands, Matters matters,
+           Expression& expression)
+        : patches_(patches), small_(small), regions_(regions), buried_(buried), operands_(operands), expression_(expression),
+          winding_(expression.operand_count(), 0), inside_(regions.count(), kUnknown) {
+        if (matters == Matters::kTell) here_.resize(regions.count());
+    }
 
     bool known(std::uint32_t region) const { return inside_[region] != kUnknown; }
     bool inside(std::uint32_t region) const { return inside_[region] == 1; }
+    // What is told of a region: the matter that fills it, the operands around it, and whether some of them settle the expression, so that others may lack.
+    struct Told {
+        std::uint32_t filled = OperandMatter::kNone;
+        bool settled = false;
+        std::vector<std::uint32_t> around;
+    };
+    const Told& told(std::uint32_t region) const { return here_[region]; }
 
     // From both sides of a face, given the windings in front of it.
     void walk_from(std::uint32_t face, const std::vector<std::pair<std::uint32_t, int>>& windings) {
@@ -203,6 +214,7 @@ private:
 
     void enter(std::uint32_t region, std::uint32_t through, int direction = 0) {
         inside_[region] = expression_.value() ? 1 : 0;
+        if (!here_.empty()) here_[region] = {expression_.value() ? matter_here() : OperandMatter::kNone, settled_ > 0, around_};
         way_.push_back({region, regions_.first[settled_ > 0 ? region + 1 : region], through, direction});
     }
     // direction 1: from the front to the back.
@@ -215,17 +227,38 @@ private:
         w += by;
         if (was == (w != 0)) return;
         expression_.set(operand, w != 0);
+        if (!here_.empty()) note(operand, w != 0);
         if (buried_.operands[operand]) settled_ += was ? -1 : 1;
+    }
+
+    void note(std::uint32_t operand, bool on) {
+        if (on) around_.push_back(operand);
+        else std::erase(around_, operand);
+    }
+
+    // Of the operands around the present place, which is in the result, the matter of the one that fills it.
+    std::uint32_t matter_here() const {
+        const Operand* best = nullptr;
+        for (const std::uint32_t i : around_) {
+            const Operand& o = operands_[i];
+            if (o.matter.subtractions > 0 || !expression_.is_held_by(i)) continue;
+            const bool prior = !best || o.matter.priority > best->matter.priority || (o.matter.priority == best->matter.priority && o.number < best->number);
+            if (prior) best = &o;
+        }
+        return best ? best->matter.fills : OperandMatter::kNone;
     }
 
     const Patches& patches_;
     const SmallFaces& small_;
     const Regions& regions_;
     const Buried& buried_;
+    std::span<const Operand> operands_;
     Expression& expression_;
     int settled_ = 0;  // operands around the present place that settle the expression
     std::vector<int> winding_;
     std::vector<std::uint8_t> inside_;
+    std::vector<Told> here_;              // of each region, where asked for
+    std::vector<std::uint32_t> around_;  // operands that are on
     std::vector<Stop> way_;
 };
 
@@ -254,11 +287,13 @@ std::vector<std::vector<std::uint32_t>> largest_faces(const Patches& patches, co
 
 }  // namespace
 
-Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried, Expression& expression) {
+Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried,
+                                        std::span<const Operand> operands, Matters matters, Expression& expression) {
+    const Expression nothing_on = expression;
     DisjointSets sides(small.faces.size() * 2);
     if (!join_sides(patches, small, buried, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
     const Regions regions = regions_of(sides, small.faces.size());
-    Walker walker(patches, small, regions, buried, expression);
+    Walker walker(patches, small, regions, buried, operands, matters, expression);
     const auto begin_at = [&](std::uint32_t face) {
         const auto windings = windings_in_front(patches, tree, small, small.faces[face]);
         if (windings) walker.walk_from(face, *windings);
@@ -272,7 +307,15 @@ Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& t
     if (!std::all_of(regions.of_side.begin(), regions.of_side.end(), is_known))
         return fail(Fault::kScene, "solids cannot be combined: a piece is too thin to be told inside from outside");
     std::vector<FaceSides> out(small.faces.size());
-    for (std::size_t f = 0; f < out.size(); ++f) out[f] = {walker.inside(regions.of_side[2 * f]), walker.inside(regions.of_side[2 * f + 1])};
+    ShownFacets shown(patches, operands, nothing_on);
+    for (std::size_t f = 0; f < out.size(); ++f) {
+        const std::uint32_t front = regions.of_side[2 * f], back = regions.of_side[2 * f + 1];
+        out[f].front = walker.inside(front), out[f].back = walker.inside(back);
+        if (matters == Matters::kLeaveOut || out[f].front == out[f].back) continue;
+        out[f].filled = walker.told(out[f].front ? front : back).filled;
+        if (const Cover& cover = small.covers[small.faces[f].cover]; cover.size() > 1)
+            out[f].shown = shown.among(cover, walker.told(walker.told(front).settled ? back : front).around);
+    }
     return out;
 }
 

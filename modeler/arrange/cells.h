@@ -12,11 +12,17 @@
 namespace whittle {
 
 struct FaceSides {
-    bool front = false, back = false;  // in the result?
+    bool front = false, back = false;             // in the result?
+    // Where asked for: the matter of the side that is, and the facet that shows.
+    std::uint32_t filled = OperandMatter::kNone, shown = kLeast;
+    static constexpr std::uint32_t kLeast = 0xFFFFFFFF;  // that of the operand of the least number
 };
 
+enum class Matters { kLeaveOut, kTell };
+
 // For every small face. kScene fault where the faces do not close.
-Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried, Expression& expression);
+Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried,
+                                        std::span<const Operand> operands, Matters matters, Expression& expression);
 
 // Winding numbers other than zero in front of a face, by operand. Nothing where no ray through the face is general enough.
 std::optional<std::vector<std::pair<std::uint32_t, int>>> windings_in_front(const Patches& patches, const BoxTree& tree, const SmallFaces& small,

@@ -40,6 +40,19 @@ void Expression::set(std::uint32_t operand, bool inside) {
     }
 }
 
+bool Expression::is_held_by(std::uint32_t operand) const {
+    for (Id at = operands_[operand]; nodes_[at].value; at = nodes_[at].parent) {
+        if (nodes_[at].parent == kNone) return true;
+        if (nodes_[nodes_[at].parent].op == SetOp::kDifference && !nodes_[at].first) return false;
+    }
+    return false;
+}
+
+void Expression::values_around(std::uint32_t operand, std::vector<bool>& out) const {
+    out.clear();
+    for (Id at = operands_[operand]; at != kNone; at = nodes_[at].parent) out.push_back(nodes_[at].value);
+}
+
 bool Expression::is_settled_within(std::uint32_t operand) const {
     Id at = operands_[operand];
     bool value = true;

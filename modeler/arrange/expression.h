@@ -19,6 +19,10 @@ public:
     std::size_t operand_count() const { return operands_.size(); }
     void set(std::uint32_t operand, bool inside);
     bool value() const { return nodes_[root_].value; }
+    // Is the operand on, and with it every part of the expression around it, so that its matter is part of the result?
+    bool is_held_by(std::uint32_t operand) const;
+    // The values of the operand and of what it is part of, up to the root.
+    void values_around(std::uint32_t operand, std::vector<bool>& out) const;
     // Does the value no longer depend on the other operands where this one is on?
     bool is_settled_within(std::uint32_t operand) const;
 

@@ -13,13 +13,25 @@
 
 namespace whittle {
 
-// One operand: a mesh moved by `offset`. `number` orders operands where several have a facet in one place: the least wins.
+// What an operand is made of. It decides no set, only what faces show.
+struct OperandMatter {
+    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    std::uint32_t subtractions = 0;  // differences as whose cutter it stands, or within
+    std::int64_t cut_order = 0;      // of two cutters in one place that name their surfaces the lesser shows
+    bool shows_filled = false;       // subtracts and names no surface: its faces show the matter that remains
+    bool hides_cutters = false;      // adds, and has such faces of its own
+    std::uint32_t fills = kNone;     // the matter of what it adds, equal for equal ones; kNone: it subtracts, or has several
+    double priority = 0;             // of overlapping matters the highest fills, of equal ones the first
+};
+
+// One operand: a mesh moved by `offset`. `number` orders operands where several have a facet in one place: the least that adds wins.
 struct Operand {
     const GridMesh* mesh = nullptr;
     GridPoint offset{};
     FacetTag tag_base = 0;
     std::uint32_t number = 0;
     bool may_cross_itself = false;
+    OperandMatter matter{};
 };
 
 struct Facet {

@@ -17,6 +17,7 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 struct OuterFace {
     std::array<PointId, 3> v;
     FacetTag tag = 0;
+    std::uint32_t filled = OperandMatter::kNone;
     std::uint32_t cluster = 0;
     bool turned = false;  // its outside is the back of the plane
 };
@@ -26,13 +27,17 @@ std::vector<OuterFace> outer_faces(const Patches& patches, std::span<const Opera
     for (std::size_t f = 0; f < small.faces.size(); ++f) {
         if (sides[f].front == sides[f].back) continue;
         const SmallFace& face = small.faces[f];
-        OuterFace o{face.v, 0, face.cluster, sides[f].front};
+        OuterFace o{face.v, 0, OperandMatter::kNone, face.cluster, sides[f].front};
         if (o.turned) std::swap(o.v[1], o.v[2]);
-        std::uint32_t least = kNone;
-        for (const CoverEntry& e : small.covers[face.cover]) {
-            const Facet& facet = patches.facets[e.facet];
-            if (operands[facet.operand].number < least) least = operands[facet.operand].number, o.tag = facet.tag;
-        }
+        const Cover& cover = small.covers[face.cover];
+        std::uint32_t shown = sides[f].shown;
+        if (shown == FaceSides::kLeast)
+            shown = std::min_element(cover.begin(), cover.end(), [&](const CoverEntry& a, const CoverEntry& b) {
+                        return operands[patches.facets[a.facet].operand].number < operands[patches.facets[b.facet].operand].number;
+                    })->facet;
+        o.tag = patches.facets[shown].tag;
+        const OperandMatter& matter = operands[patches.facets[shown].operand].matter;
+        o.filled = matter.shows_filled ? sides[f].filled : matter.hides_cutters ? matter.fills : OperandMatter::kNone;
         out.push_back(o);
     }
     return out;
@@ -103,7 +108,7 @@ private:
 
     bool same_facet(std::uint32_t a, std::uint32_t b) const {
         const OuterFace &f = faces_[a], &g = faces_[b];
-        return f.cluster != SmallFace::kWhole && f.cluster == g.cluster && f.tag == g.tag && f.turned == g.turned;
+        return f.cluster != SmallFace::kWhole && f.cluster == g.cluster && f.tag == g.tag && f.filled == g.filled && f.turned == g.turned;
     }
 
     void find_creases() {
@@ -261,6 +266,7 @@ ArrangedMesh surface_of(Patches& patches, std::span<const Operand> operands, con
         }
         out.triangles.push_back(t);
         out.tags.push_back(f.tag);
+        if (options.matters) out.filled.push_back(f.filled);
     }
     return out;
 }

@@ -27,7 +27,8 @@ struct Leaf {
     PlanId plan = 0;  // a leaf of the plan, or a combination whose result is known
     GridPoint offset{};
     FacetTag tag_base = 0;
-    std::uint32_t number = 0;
+    std::uint32_t number = 0;     // the author's
+    std::uint32_t first_use = 0;  // in the plan's order
     GridBox box;
 };
 
@@ -70,7 +71,7 @@ Result<ArrangedMesh> combined_by_cgal(std::span<const Operand> operands, const s
 class Combiner {
 public:
     Combiner(const Plan& plan, std::span<const std::uint32_t> uses, const CombineOptions& options, MeshControl& control)
-        : plan_(plan), uses_(uses), options_(options), control_(control), use_count_(plan.size(), 1) {
+        : plan_(plan), uses_(uses), options_(options), control_(control), use_count_(plan.size(), 1), mixed_(plan.size(), false) {
         for (PlanId id = 0; id < plan.size(); ++id) {
             const PlanNode& n = plan.node(id);
             if (n.op) use_count_[id] = use_count_[n.a.plan] + use_count_[n.b.plan];
@@ -79,6 +80,7 @@ public:
     }
 
     Result<Parts> run(PlanId root, MeshStats& stats) {
+        if (options_.tell_matters) look_at(root, 0);
         if (auto solved = solve_shared(root); !solved) return tl::unexpected(solved.error());
         auto parts = combined(root, true);
         stats.booleans += booleans_;
@@ -89,6 +91,33 @@ public:
     }
 
 private:
+    // What stands in one place: its first matter, whether there are others, and whether there are cutters whose faces show them.
+    struct Seen {
+        std::uint32_t fills = OperandMatter::kNone;
+        bool several = false, silent = false;
+        void add(const Seen& other) {
+            several = several || other.several || (fills != OperandMatter::kNone && other.fills != OperandMatter::kNone && fills != other.fills);
+            silent = silent || other.silent;
+            if (fills == OperandMatter::kNone) fills = other.fills;
+        }
+    };
+    // Marks what in any of its places has several matters to be told apart.
+    Seen look_at(PlanId id, std::uint32_t first_use) {
+        const PlanNode& n = plan_.node(id);
+        Seen seen;
+        if (n.op) {
+            seen = look_at(n.a.plan, first_use);
+            seen.add(look_at(n.b.plan, first_use + use_count_[n.a.plan]));
+        } else {
+            for (std::uint32_t i = 0; i < use_count_[id]; ++i) {
+                const OperandMatter& m = options_.matters[uses_[first_use + i]];
+                seen.add({m.fills, false, m.shows_filled});
+            }
+        }
+        if (seen.several && seen.silent) mixed_[id] = true;
+        return seen;
+    }
+
     // Results used at several places are made once, where they lie on the grid: they can then stand for leaves.
     Result<void> solve_shared(PlanId root) {
         std::vector<bool> needed(root + 1, false), off_grid(root + 1, false);
@@ -99,7 +128,7 @@ private:
             const PlanNode& n = plan_.node(id);
             if (!needed[id] || !n.op) continue;
             off_grid[id] = off_grid[n.a.plan] || off_grid[n.b.plan];
-            if (n.users < 2 || off_grid[id]) continue;
+            if (n.users < 2 || off_grid[id] || mixed_[id]) continue;
             const auto parts = combined(id, false);
             if (!parts) return tl::unexpected(parts.error());
             if (auto mesh = on_grid(*parts)) {
@@ -160,10 +189,11 @@ private:
     std::optional<std::uint32_t> expand(const PlanRef& ref, FacetTag tag_base, std::uint32_t first_use, const GridBox& room) {
         const PlanNode& n = plan_.node(ref.plan);
         const GridBox box = moved(n.box, ref.offset);
-        if (!boxes_overlap(box, room)) return std::nullopt;
+        // What only touches decides nothing but whose face shows: of two that abut within a third neither does.
+        if (!(tells() ? boxes_touch(box, room) : boxes_overlap(box, room))) return std::nullopt;
         if (!n.op || solved_.contains(ref.plan)) {
             if (mesh_of(ref.plan).triangles.empty()) return std::nullopt;
-            leaves_.push_back({ref.plan, ref.offset, tag_base, whole_ ? uses_[first_use] : first_use, box});
+            leaves_.push_back({ref.plan, ref.offset, tag_base, whole_ ? uses_[first_use] : first_use, first_use, box});
             return term({std::nullopt, static_cast<std::uint32_t>(leaves_.size() - 1), {}});
         }
         const PlanRef a{n.a.plan, sum(n.a.offset, ref.offset)}, b{n.b.plan, sum(n.b.offset, ref.offset)};
@@ -235,6 +265,24 @@ private:
         return children.size() == 1 ? children.front() : out.combine(*t.op, children);
     }
 
+    bool tells() const { return whole_ && options_.tell_matters; }
+
+    // Of all leaves of an operand together. Results for several places are made without: each place may have its own.
+    OperandMatter matter_of(const Leaf& l) const {
+        if (!whole_) return {};
+        OperandMatter out = options_.matters[uses_[l.first_use]];
+        bool several = false, silent = false;
+        for (std::uint32_t i = 0; i < use_count_[l.plan]; ++i) {
+            const OperandMatter& m = options_.matters[uses_[l.first_use + i]];
+            silent = silent || m.shows_filled;
+            if (m.subtractions == 0) several = several || (out.subtractions == 0 && out.fills != m.fills);
+            if (m.subtractions < out.subtractions) out = m;
+        }
+        if (several) out.fills = OperandMatter::kNone;
+        out.hides_cutters = silent && out.subtractions == 0;
+        return out;
+    }
+
     Result<Parts> arranged(const std::vector<std::uint32_t>& group, std::uint32_t top, ArrangeStats& stats) const {
         if (control_.cancelled()) return fail(Fault::kInterrupted, "interrupted");
         Expression expression;
@@ -250,10 +298,10 @@ private:
         std::vector<Operand> operands;
         for (const std::uint32_t i : used) {
             const Leaf& l = leaves_[i];
-            operands.push_back({&mesh_of(l.plan), l.offset, l.tag_base, l.number, !solved_.contains(l.plan) && plan_.node(l.plan).may_cross_itself});
+            operands.push_back({&mesh_of(l.plan), l.offset, l.tag_base, l.number, !solved_.contains(l.plan) && plan_.node(l.plan).may_cross_itself, matter_of(l)});
         }
         auto mesh = options_.booleans == BooleanMaker::kCgal ? combined_by_cgal(operands, left.steps)
-                                                             : arrange(operands, expression, {options_.decimate, [this] { return control_.cancelled(); }}, stats);
+                                                             : arrange(operands, expression, {options_.decimate, [this] { return control_.cancelled(); }, tells()}, stats);
         if (!mesh) return tl::unexpected(mesh.error());
         if (mesh->triangles.empty()) return Parts{};
         return Parts{Part{0, std::move(*mesh), {}, 0}};
@@ -264,6 +312,7 @@ private:
     const CombineOptions& options_;
     MeshControl& control_;
     std::vector<std::uint32_t> use_count_;
+    std::vector<bool> mixed_;
     std::map<PlanId, GridMesh> solved_;
     std::vector<Leaf> leaves_;
     std::vector<Term> terms_;

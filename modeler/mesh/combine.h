@@ -25,6 +25,8 @@ struct CombineOptions {
     int threads = 0;
     bool decimate = true;
     BooleanMaker booleans = BooleanMaker::kArrangement;
+    std::vector<OperandMatter> matters{};  // by the author's number of a leaf
+    bool tell_matters = false;             // say which of them remains at the faces of cutters that show it
 };
 
 // The result of one plan node. `uses[i]` is the author's number of the plan's leaf i: where two leaves have a facet in one place the lower one keeps

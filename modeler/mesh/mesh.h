@@ -50,7 +50,13 @@ struct MeshLeaf {
     Material material;
     SourcePlace place;
     std::string part;  // name of the outermost part() around it; empty: none
-    bool subtracts = false;
+    std::uint32_t subtractions = 0;  // differences as whose cutter it stands, or within
+    std::int64_t cut_order = 0;      // of two cutters the one whose colour comes first: at each difference what it subtracts comes before what it is subtracted from
+    std::optional<Material> filled;  // of a cutter that names no surface, for the triangles where it is known: the matter that remains there
+
+    bool subtracts() const { return subtractions > 0; }
+    // What its triangles show.
+    const Material& shown() const { return filled ? *filled : material; }
 };
 
 // Counts of work done, names as in --stats.

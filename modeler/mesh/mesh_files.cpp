@@ -158,11 +158,11 @@ std::string lower_suffix(std::string_view path) {
 
 FileColors::FileColors(const MeshResult& result) {
     bool any = false;
-    for (const MeshLeaf& leaf : result.leaves) any = any || leaf.material.color;
+    for (const MeshLeaf& leaf : result.leaves) any = any || leaf.shown().color;
     if (!any || result.mesh.leaf.empty()) return;
     constexpr Vec4 kUnnamed{0.976, 0.843, 0.173, 1};  // OpenSCAD's yellow
     for (const std::uint32_t leaf : painting_leaves(result)) {
-        const Vec4 color = glm::clamp(result.leaves[leaf].material.color.value_or(kUnnamed), 0.0, 1.0);
+        const Vec4 color = glm::clamp(result.leaves[leaf].shown().color.value_or(kUnnamed), 0.0, 1.0);
         Bytes bytes{};
         for (int i = 0; i < 4; ++i) bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(color[i] * 255));
         const auto found = std::find(palette_.begin(), palette_.end(), bytes);

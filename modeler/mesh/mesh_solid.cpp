@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -47,8 +49,58 @@ Bounds bounds_at_start(const Solid& solid, const Use& use) {
     return placed_bounds(use.motion == 0 ? own : placed_bounds(own, solid.motion(use.motion).start), use.placement);
 }
 
+// What the leaves are made of; equal materials have one number, that of the first.
+std::vector<OperandMatter> matters_of(const std::vector<MeshLeaf>& leaves) {
+    std::vector<OperandMatter> out;
+    std::unordered_multimap<double, std::uint32_t> known;  // by a sum that equal ones share
+    for (std::uint32_t i = 0; i < leaves.size(); ++i) {
+        const Material& m = leaves[i].material;
+        const bool shows_filled = leaves[i].subtracts() && !leaves[i].filled && !m.names_surface();
+        out.push_back({leaves[i].subtractions, leaves[i].cut_order, shows_filled, false, OperandMatter::kNone, m.priority.value_or(0)});
+        if (leaves[i].subtracts()) continue;
+        const Vec4 color = m.color.value_or(Vec4(-1));
+        const double sum = color.x + 256 * color.y + 65536 * color.z + color.w / 256;
+        const auto [from, to] = known.equal_range(sum);
+        const auto found = std::find_if(from, to, [&](const auto& k) { return leaves[k.second].material == m; });
+        out.back().fills = found == to ? i : found->second;
+        if (found == to) known.emplace(sum, i);
+    }
+    return out;
+}
+
+// Are there several things to be seen?
+bool are_told(const std::vector<MeshLeaf>& leaves) {
+    const Material* first = nullptr;
+    for (const MeshLeaf& l : leaves) {
+        if (l.subtracts() && !l.shown().names_surface()) continue;
+        if (first && !(*first == l.shown())) return true;
+        first = &l.shown();
+    }
+    return false;
+}
+
+// A cutter's leaf as it is where that matter remains, added to the leaves when it is first met.
+class FilledLeaves {
+public:
+    explicit FilledLeaves(std::vector<MeshLeaf>& leaves) : leaves_(leaves) {}
+    std::uint32_t of(std::uint32_t leaf, std::uint32_t filled) {
+        if (filled == OperandMatter::kNone || !leaves_[leaf].subtracts() || leaves_[leaf].shown().names_surface()) return leaf;
+        const auto [at, fresh] = known_.try_emplace({leaf, filled}, static_cast<std::uint32_t>(leaves_.size()));
+        if (fresh) {
+            MeshLeaf shown = leaves_[leaf];
+            shown.filled = leaves_[filled].material;
+            leaves_.push_back(std::move(shown));
+        }
+        return at->second;
+    }
+
+private:
+    std::vector<MeshLeaf>& leaves_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known_;
+};
+
 // Parts in double, one after the other; tags become leaf uses.
-Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts, Corners corners) {
+Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts, Corners corners, FilledLeaves& leaves) {
     const Plan& plan = planner.plan();
     std::vector<FacetTag> starts;
     append_tag_starts(plan, root.ref.plan, 0, starts);
@@ -69,7 +121,8 @@ Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts, 
             mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
             const FacetTag tag = tags[i] + part.tag_base;
             const auto at = std::upper_bound(starts.begin(), starts.end(), tag) - starts.begin() - 1;
-            mesh.leaf.push_back(root.leaves[static_cast<std::size_t>(at)]);
+            const bool told = part.made && !part.made->filled.empty();
+            mesh.leaf.push_back(leaves.of(root.leaves[static_cast<std::size_t>(at)], told ? part.made->filled[i] : OperandMatter::kNone));
         }
     }
     return mesh;
@@ -77,12 +130,13 @@ Mesh gathered(const Planner& planner, const Instance& root, const Parts& parts, 
 
 // The mesh in double, with the corners as made where nothing crosses then.
 void settle(const Planner& planner, const Instance& root, const Parts& parts, MeshControl& control, MeshResult& result) {
-    result.mesh = gathered(planner, root, parts, Corners::kAsMade);
+    FilledLeaves leaves(result.leaves);
+    result.mesh = gathered(planner, root, parts, Corners::kAsMade, leaves);
     weld(result.mesh);
     remove_flat_triangles(result.mesh);
     std::uint64_t crossings = count_crossings(result.mesh.points, result.mesh.triangles);
     if (crossings > 0) {
-        Settled settled = settled_in_double(gathered(planner, root, parts, Corners::kOnGrid), control);
+        Settled settled = settled_in_double(gathered(planner, root, parts, Corners::kOnGrid, leaves), control);
         if (settled.crossings < crossings) {
             crossings = settled.crossings;
             result.mesh = std::move(settled.mesh);
@@ -124,7 +178,8 @@ Result<MeshResult> mesh_by_rule(const How& how, const Solid& solid, const Use& r
     result.stats.skipped_boxes += planner.plan().skipped();
     if (!*instance) return result;
 
-    const CombineOptions combining{how.options.threads, how.options.decimate, how.maker};
+    CombineOptions combining{how.options.threads, how.options.decimate, how.maker, matters_of(result.leaves)};
+    combining.tell_matters = are_told(result.leaves);
     result.stats.loaded_cgal = how.maker == BooleanMaker::kCgal;
     const auto parts = combine_plan(planner.plan(), (*instance)->ref.plan, (*instance)->leaves, combining, how.control, result.stats);
     if (!parts) return tl::unexpected(parts.error());

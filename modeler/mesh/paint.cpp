@@ -27,12 +27,12 @@ std::vector<std::uint32_t> painting_leaves(const MeshResult& result) {
     const Mesh& mesh = result.mesh;
     std::vector<std::uint32_t> paint(mesh.leaf.size(), kNone), front;
     std::uint32_t first = 0;
-    while (first + 1 < result.leaves.size() && result.leaves[first].subtracts) ++first;
+    while (first + 1 < result.leaves.size() && result.leaves[first].subtracts()) ++first;
     for (std::uint32_t i = 0; i < mesh.leaf.size(); ++i) {
         const MeshLeaf& leaf = result.leaves[mesh.leaf[i]];
-        if (leaf.subtracts && !leaf.material.names_surface()) continue;
+        if (leaf.subtracts() && !leaf.shown().names_surface() && !leaf.filled) continue;
         paint[i] = mesh.leaf[i];
-        if (!leaf.subtracts) front.push_back(i);  // what a cutter painted is not handed on
+        if (!leaf.subtracts()) front.push_back(i);  // what a cutter painted is not handed on
     }
     if (std::find(paint.begin(), paint.end(), kNone) == paint.end()) return paint;
     const auto edges = triangles_by_edge(mesh.triangles);

@@ -121,9 +121,12 @@ void Planner::enter(const Use& use, Path& path) const {
 Result<std::optional<Instance>> Planner::combination(const Combination& c, const Path& path) {
     std::vector<Instance> instances;
     bool first_is_empty = false;
+    const std::size_t begin = result_.leaves.size();
+    std::size_t middle = begin;
     for (std::size_t i = 0; i < c.operands.size(); ++i) {
+        if (i == 1) middle = result_.leaves.size();
         Path inner = path;
-        if (c.op == SetOp::kDifference && i > 0) inner.subtracts = true;  // c in a - (b - c) too: its matter fills nothing
+        if (c.op == SetOp::kDifference && i > 0) ++inner.subtractions;  // c in a - (b - c) too: its matter fills nothing
         auto built = build(c.operands[i], std::move(inner));
         if (!built) return built;
         if (*built) {
@@ -133,6 +136,7 @@ Result<std::optional<Instance>> Planner::combination(const Combination& c, const
             break;
         }
     }
+    if (c.op == SetOp::kDifference && middle > begin) put_cutters_first(begin, middle);
     if (first_is_empty || instances.empty()) return std::optional<Instance>{};
     if (c.op == SetOp::kUnion) return plan_.unite(std::move(instances));
     if (c.op == SetOp::kIntersection) return plan_.intersect(std::move(instances));
@@ -141,9 +145,15 @@ Result<std::optional<Instance>> Planner::combination(const Combination& c, const
     return plan_.subtract(std::move(from), std::move(instances));
 }
 
+// Of the leaves from `begin` those of what is cut change places in the order of cuts with those of its cutters, which begin at `middle`.
+void Planner::put_cutters_first(std::size_t begin, std::size_t middle) {
+    const std::size_t end = result_.leaves.size();
+    for (std::size_t i = begin; i < end; ++i) result_.leaves[i].cut_order += i < middle ? static_cast<std::int64_t>(end - middle) : -static_cast<std::int64_t>(middle - begin);
+}
+
 Result<std::optional<Instance>> Planner::leaf(NodeId node, const Path& path) {
     const auto number = static_cast<std::uint32_t>(result_.leaves.size());
-    result_.leaves.push_back({path.material, path.place, path.part, path.subtracts});
+    result_.leaves.push_back({path.material, path.place, path.part, path.subtractions, number, {}});
     const auto tessellation = tessellated(node, path.placement);
     if (!tessellation) return tl::unexpected(placed_error(tessellation.error(), path.place));
     result_.tolerance_mm = std::max(result_.tolerance_mm, (*tessellation)->error);
@@ -237,10 +247,12 @@ Result<std::optional<Instance>> Planner::turned_part(NodeId node, const Path& pa
     if (!made) return tl::unexpected(made.error());
     const MeshResult& part = **made;
     std::vector<std::uint32_t> uses;
+    const auto first = static_cast<std::int64_t>(result_.leaves.size());
     for (const MeshLeaf& l : part.leaves) {
         uses.push_back(static_cast<std::uint32_t>(result_.leaves.size()));
         result_.leaves.push_back({nested(path.material, l.material), l.place.line != 0 ? l.place : path.place, path.part.empty() ? l.part : path.part,
-                                  path.subtracts || l.subtracts});
+                                  path.subtractions + l.subtractions, first + l.cut_order, {}});
+        if (l.filled && path.subtractions == 0) result_.leaves.back().filled = nested(path.material, *l.filled);
     }
     result_.tolerance_mm = std::max(result_.tolerance_mm, part.tolerance_mm);
     // Corners have been rounded in the part's own axes before.

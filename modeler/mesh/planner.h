@@ -20,7 +20,7 @@ struct Path {
     Material material;
     std::string part;
     SourcePlace place;
-    bool subtracts = false;
+    std::uint32_t subtractions = 0;
 };
 
 // Meshes a node in its own axes; lengths of the rule are in them.
@@ -42,6 +42,7 @@ public:
 private:
     void enter(const Use& use, Path& path) const;
     Result<std::optional<Instance>> combination(const Combination& c, const Path& path);
+    void put_cutters_first(std::size_t begin, std::size_t middle);
     Result<std::optional<Instance>> leaf(NodeId node, const Path& path);
     Result<std::optional<Instance>> piece_of(const LeafMesh& mesh, const Path& path, std::uint32_t number, bool may_cross_itself);
     Result<std::shared_ptr<const Tessellation>> tessellated(NodeId node, const Placement& placement);

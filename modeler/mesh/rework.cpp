@@ -20,7 +20,7 @@ constexpr double kSharpDeg = 30;
 constexpr int kTries = 6;
 constexpr double kMostTriangles = 2e7;
 
-bool alike(const MeshLeaf& a, const MeshLeaf& b) { return a.part == b.part && a.material == b.material; }
+bool alike(const MeshLeaf& a, const MeshLeaf& b) { return a.part == b.part && a.shown() == b.shown(); }
 
 // For every triangle the first leaf of its colour and part.
 std::vector<std::uint32_t> groups_of(const MeshResult& in) {

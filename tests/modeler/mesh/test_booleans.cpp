@@ -230,7 +230,7 @@ TEST_CASE("a triangle knows the leaf it came from") {
     cutter.label = b.label(blue);
     const MeshResult r = meshed(b, b.combine(SetOp::kDifference, {body, cutter}));
     REQUIRE(r.leaves.size() == 2);
-    CHECK(r.leaves[1].subtracts);
+    CHECK(r.leaves[1].subtracts());
     for (std::size_t i = 0; i < r.mesh.triangles.size(); ++i) {
         const Triangle& t = r.mesh.triangles[i];
         const Vec3 n = glm::cross(r.mesh.points[t[1]] - r.mesh.points[t[0]], r.mesh.points[t[2]] - r.mesh.points[t[0]]);
