@@ -42,6 +42,16 @@ DoubleBox box_of(const Piece& p) {
     return box;
 }
 
+BoxTree tree_of(const Mesh& mesh, std::vector<Piece>& pieces) {
+    std::vector<DoubleBox> boxes;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        pieces.push_back(piece_of(mesh, i));
+        boxes.push_back(box_of(pieces.back()));
+    }
+    std::vector<std::uint32_t> owners(boxes.size(), BoxTree::kMixed);
+    return {std::move(boxes), std::move(owners)};
+}
+
 class Deviation {
 public:
     Deviation(const Mesh& b, double most) : most_(most), tree_(tree_of(b, others_)) {}
@@ -59,16 +69,6 @@ public:
     }
 
 private:
-    static BoxTree tree_of(const Mesh& b, std::vector<Piece>& others) {
-        std::vector<DoubleBox> boxes;
-        for (std::size_t i = 0; i < b.triangles.size(); ++i) {
-            others.push_back(piece_of(b, i));
-            boxes.push_back(box_of(others.back()));
-        }
-        std::vector<std::uint32_t> owners(boxes.size(), BoxTree::kMixed);
-        return {std::move(boxes), std::move(owners)};
-    }
-
     // False where a corner is farther than `most`, so that no halving helps.
     bool shown(const Piece& piece) {
         double best = HUGE_VAL;
@@ -119,6 +119,23 @@ std::optional<double> hausdorff_within(const Mesh& a, const Mesh& b, double most
     const auto back = deviation_within(b, a, most);
     if (!back) return std::nullopt;
     return std::max(*there, *back);
+}
+
+struct Nearness::Facets {
+    explicit Facets(const Mesh& mesh) : tree(tree_of(mesh, pieces)) {}
+    std::vector<Piece> pieces;
+    BoxTree tree;
+};
+
+Nearness::Nearness(const Mesh& surface) : facets_(std::make_unique<const Facets>(surface)) {}
+Nearness::~Nearness() = default;
+
+bool Nearness::within(const Vec3& p, double distance) const {
+    DoubleBox room = DoubleBox::at({p.x, p.y, p.z});
+    for (std::size_t k = 0; k < 3; ++k) room.lo[k] -= distance, room.hi[k] += distance;
+    bool found = false;
+    facets_->tree.touching(room, [&](std::uint32_t i) { found = found || distance_to(p, facets_->pieces[i]) <= distance; });
+    return found;
 }
 
 }  // namespace whittle

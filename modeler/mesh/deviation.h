@@ -6,6 +6,7 @@
 // Source: Tang, Lee, Kim, Interactive Hausdorff distance computation for general polygonal models (2009), for the bound.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "modeler/mesh/mesh.h"
@@ -18,5 +19,19 @@ std::optional<double> deviation_within(const Mesh& a, const Mesh& b, double most
 
 // The same both ways: a bound on the Hausdorff distance.
 std::optional<double> hausdorff_within(const Mesh& a, const Mesh& b, double most);
+
+// Which points lie near a surface?
+class Nearness {
+public:
+    explicit Nearness(const Mesh& surface);
+    ~Nearness();
+    Nearness(const Nearness&) = delete;
+    Nearness& operator=(const Nearness&) = delete;
+    bool within(const Vec3& p, double distance) const;
+
+private:
+    struct Facets;
+    std::unique_ptr<const Facets> facets_;
+};
 
 }  // namespace whittle

@@ -57,16 +57,20 @@ Reworked with_mesh(const MeshResult& in, Mesh mesh, const MeshReport& report, do
 }  // namespace
 
 Result<Reworked> simplified(const MeshResult& in, double most_mm, MeshControl& control) {
-    const auto entry = module_entry("whittle_openmesh.so", "whittle_openmesh_simplify_1", "the part that simplifies meshes");
+    const auto entry = module_entry("whittle_openmesh.so", "whittle_openmesh_simplify_2", "the part that simplifies meshes");
     if (!entry) return tl::unexpected(entry.error());
     const Mesh apart = with_own_points(in.mesh);
     const auto groups = groups_of(in);
+    // Between the middles that are tested a facet may stray a little farther.
+    constexpr double kMargin = 0.75;
+    const Nearness surface(in.mesh);
     double asked = most_mm;
     for (int i = 0; i < kTries; ++i, asked /= 2) {
         if (control.cancelled()) return fail(Fault::kInterrupted, "interrupted");
         Mesh mesh;
         std::string fault;
-        if (!reinterpret_cast<decltype(&whittle_openmesh_simplify_1)>(*entry)(apart, groups, asked, mesh, fault)) return fail(Fault::kScene, "OpenMesh: " + fault);
+        const std::function<bool(const Vec3&)> is_near = [&](const Vec3& p) { return surface.within(p, kMargin * asked); };
+        if (!reinterpret_cast<decltype(&whittle_openmesh_simplify_2)>(*entry)(apart, groups, asked, is_near, mesh, fault)) return fail(Fault::kScene, "OpenMesh: " + fault);
         const auto report = settled(mesh);
         if (!report) continue;
         if (const auto deviation = hausdorff_within(in.mesh, mesh, most_mm)) return with_mesh(in, std::move(mesh), *report, *deviation);

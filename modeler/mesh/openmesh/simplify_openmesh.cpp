@@ -3,6 +3,7 @@
 // Sources: Garland, Heckbert, Surface simplification using quadric error metrics (1997); Klein, Liebich, Strasser, Mesh reduction with error control (1996).
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
@@ -22,6 +23,32 @@ using Surface = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
 // No facet's normal turns by more in one collapse.
 constexpr double kLargestTurnDeg = 20;
+
+// Declines collapses whose new facets stray in their middles. The corners that go are watched by others, but a wall of long facets has none between its
+// ends: it would cave in where its ends' corners are joined askew.
+template <class MeshT>
+class ModNear : public OpenMesh::Decimater::ModBaseT<MeshT> {
+public:
+    DECIMATING_MODULE(ModNear, MeshT, Near);
+    explicit ModNear(MeshT& mesh) : Base(mesh, true) {}
+    void set_test(const std::function<bool(const Vec3&)>& is_near) { is_near_ = &is_near; }
+
+    float collapse_priority(const CollapseInfo& collapse) override {
+        const MeshT& mesh = Base::mesh();
+        const auto is_near = [&](const OpenMesh::Vec3d& p) { return (*is_near_)({p[0], p[1], p[2]}); };
+        const OpenMesh::Vec3d to = collapse.p1;
+        for (const auto h : mesh.voh_range(collapse.v0)) {
+            const auto one = mesh.to_vertex_handle(h), other = mesh.opposite_vh(h);
+            if (one == collapse.v1) continue;
+            if (one != collapse.vl && one != collapse.vr && !is_near((to + mesh.point(one)) / 2)) return Base::ILLEGAL_COLLAPSE;
+            if (other != collapse.v1 && !is_near((to + mesh.point(one) + mesh.point(other)) / 3)) return Base::ILLEGAL_COLLAPSE;
+        }
+        return Base::LEGAL_COLLAPSE;
+    }
+
+private:
+    const std::function<bool(const Vec3&)>* is_near_ = nullptr;
+};
 
 bool surface_of(const Mesh& in, Surface& s, const OpenMesh::FPropHandleT<std::uint32_t>& number) {
     std::vector<Surface::VertexHandle> at;
@@ -49,7 +76,7 @@ void lock_borders(Surface& s, const OpenMesh::FPropHandleT<std::uint32_t>& numbe
     }
 }
 
-bool simplified(const Mesh& in, const std::vector<std::uint32_t>& groups, double distance_mm, Mesh& out) {
+bool simplified(const Mesh& in, const std::vector<std::uint32_t>& groups, double distance_mm, const std::function<bool(const Vec3&)>& is_near, Mesh& out) {
     Surface s;
     s.request_vertex_status();
     s.request_edge_status();
@@ -67,10 +94,13 @@ bool simplified(const Mesh& in, const std::vector<std::uint32_t>& groups, double
     OpenMesh::Decimater::ModNormalFlippingT<Surface>::Handle flipping;
     decimater.add(quadric);
     decimater.add(hausdorff);
+    ModNear<Surface>::Handle near;
     decimater.add(flipping);
+    decimater.add(near);
     decimater.module(quadric).unset_max_err();
     decimater.module(hausdorff).set_tolerance(distance_mm);
     decimater.module(flipping).set_max_normal_deviation(kLargestTurnDeg);
+    decimater.module(near).set_test(is_near);
     if (!decimater.initialize()) return false;
     decimater.decimate();
     s.garbage_collection();
@@ -89,10 +119,11 @@ bool simplified(const Mesh& in, const std::vector<std::uint32_t>& groups, double
 }  // namespace
 }  // namespace whittle
 
-extern "C" __attribute__((visibility("default"))) bool whittle_openmesh_simplify_1(const whittle::Mesh& in, const std::vector<std::uint32_t>& groups,
-                                                                                   double distance_mm, whittle::Mesh& out, std::string& fault) {
+extern "C" __attribute__((visibility("default"))) bool whittle_openmesh_simplify_2(const whittle::Mesh& in, const std::vector<std::uint32_t>& groups,
+                                                                                   double distance_mm, const std::function<bool(const whittle::Vec3&)>& is_near,
+                                                                                   whittle::Mesh& out, std::string& fault) {
     try {
-        if (whittle::simplified(in, groups, distance_mm, out)) return true;
+        if (whittle::simplified(in, groups, distance_mm, is_near, out)) return true;
         fault = "the mesh is not a manifold";
     } catch (const std::exception& e) {
         fault = e.what();

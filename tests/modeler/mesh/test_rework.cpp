@@ -109,6 +109,27 @@ TEST_CASE("a simplified mesh has fewer triangles and strays no farther than was 
     CHECK(before * 2 < fine.mesh.triangles.size());
 }
 
+TEST_CASE("walls of bores and thin walls are simplified too, and neither caves in nor goes") {
+    SolidBuilder b;
+    const NodeId block = b.shape(shape::Box{Vec3(-20), Vec3(20)}), bore = b.shape(shape::Frustum{-25, 25, 8, 8});
+    const Solid bored = b.finish(at(b.combine(SetOp::kDifference, {at(block), at(bore)})));
+    SolidBuilder c;
+    const Solid tube = c.finish(at(c.combine(SetOp::kDifference, {at(c.shape(shape::Frustum{-20, 20, 16, 16})), at(c.shape(shape::Frustum{-25, 25, 15.8, 15.8}))})));
+    for (const Solid* solid : {&bored, &tube}) {
+        const MeshResult fine = mesh_of(*solid, 0.002);
+        MeshControl control;
+        const auto made = simplified(fine, 0.05, control);
+        REQUIRE(made);
+        REQUIRE(made->changed);
+        check_valid(made->result);
+        CHECK(made->deviation <= 0.05);
+        CHECK(made->result.mesh.triangles.size() * 2 < fine.mesh.triangles.size());
+        CHECK(made->result.report.genus == 1);
+        CHECK(made->result.report.components == 1);
+        CHECK_THAT(volume(made->result), WithinRel(volume(fine), 0.05 * area(fine) / volume(fine)));
+    }
+}
+
 TEST_CASE("simplifying keeps the borders between colours") {
     SolidBuilder b;
     Material red;
