@@ -161,42 +161,4 @@ std::optional<std::vector<IndexTriangle>> ear_clipped(const std::vector<Vec2>& p
     return triangles;
 }
 
-namespace {
-
-// Turning left throughout, and once around: coordinates rise and fall once.
-bool is_convex(const std::vector<Vec2>& ring) {
-    const std::size_t n = ring.size();
-    int changes = 0;
-    const auto rises = [&](std::size_t i) {
-        const Vec2 &a = ring[i % n], &b = ring[(i + 1) % n];
-        return a.x < b.x || (a.x == b.x && a.y < b.y);
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-        if (turn_of(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) < 0) return false;
-        changes += rises(i) != rises(i + 1);
-    }
-    return n >= 3 && changes == 2;
-}
-
-}  // namespace
-
-std::optional<std::vector<std::vector<Vec2>>> convex_rings(std::vector<std::vector<Vec2>> contours) {
-    if (contours.size() == 1 && is_convex(contours[0])) return contours;
-    std::vector<Vec2> points;
-    std::vector<std::vector<std::uint32_t>> indices;
-    for (const auto& ring : contours) {
-        auto& into = indices.emplace_back();
-        for (const Vec2& p : ring) {
-            into.push_back(static_cast<std::uint32_t>(points.size()));
-            points.push_back(p);
-        }
-    }
-    const auto triangles = ear_clipped(points, indices);
-    if (!triangles) return {};
-    std::vector<std::vector<Vec2>> parts;
-    for (const auto& t : *triangles)
-        if (turn_of(points[t[0]], points[t[1]], points[t[2]]) > 0) parts.push_back({points[t[0]], points[t[1]], points[t[2]]});
-    return parts;
-}
-
 }  // namespace whittle

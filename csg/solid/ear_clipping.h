@@ -19,7 +19,4 @@ using IndexTriangle = std::array<std::uint32_t, 3>;
 // the region once and keep every corner; nothing where the contours are not as required.
 std::optional<std::vector<IndexTriangle>> ear_clipped(const std::vector<Vec2>& points, const std::vector<std::vector<std::uint32_t>>& contours);
 
-// The region as convex rings: the only contour where it is convex, else triangles. Requires and fails as above.
-std::optional<std::vector<std::vector<Vec2>>> convex_rings(std::vector<std::vector<Vec2>> contours);
-
 }  // namespace whittle

@@ -56,8 +56,9 @@ std::vector<Met> flattened(const Spans& spans, bool& inside, std::string& fault)
     return r;
 }
 
+// Bounds are doubles: what is left below the least of them no double tells.
 bool within(const End& end, const Border& b) {
-    const Dyadic t(end.t), e(end.t_error);
+    const Dyadic t(end.t), e = Dyadic(end.t_error) + Dyadic(0x1p-1074);
     return b.lo <= t + e && t - e <= b.hi;
 }
 

@@ -5,7 +5,7 @@
 // the two cells that meet there, so that no border is left.
 #include <algorithm>
 
-#include "csg/solid/ear_clipping.h"
+#include "csg/solid/convex_rings.h"
 #include "csg/solid/predicates.h"
 #include "csg/solid/profile.h"
 #include "tracer/engine/formula_builder.h"

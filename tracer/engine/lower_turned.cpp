@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "csg/base/degrees.h"
-#include "csg/solid/ear_clipping.h"
+#include "csg/solid/convex_rings.h"
 #include "csg/solid/predicates.h"
 #include "tracer/engine/formula_builder.h"
 
