@@ -40,6 +40,11 @@ struct ModuleUse {
     Machine& machine;
     SourcePlace place;
     std::span<const Value> arguments;
+    std::string_view signature;
+    bool takes_children = true;  // set to false by a module whose arguments stand for them
+
+    // With what the module expects as the hint.
+    void warn(std::string text) const;
 
     const Value& operator[](std::size_t i) const { return arguments[i]; }
 };

@@ -30,8 +30,8 @@ bool is_true(const Value& v) { return v.is_bool() && v.boolean(); }
 Made make_import(ModuleUse& use) {
     scene::Import out;
     const Value& file = use[0].is_undef() ? use[7] : use[0];
-    const Value& layer = use[1].is_undef() ? use[8] : use[1];
-    out.name = text_or(file, "");
+    const Value& layer = use[!use[1].is_undef() ? 1 : !use[8].is_undef() ? 8 : 11];  // later versions: id, of an SVG
+    out.name = file.is_undef() ? std::string() : use.machine.bare_text_of(file);
     out.layer = text_or(layer, "");
     if (!out.name.empty()) out.path = use.machine.find_file(use.place, out.name);
     read_vec2(use[3], out.origin);
@@ -39,7 +39,7 @@ Made make_import(ModuleUse& use) {
     out.center = is_true(use[9]);
     if (double dpi = 0; read_number(use[10], dpi)) {
         if (dpi > 0.001) out.dpi = dpi;
-        else use.machine.warn(use.place, fmt::format("Invalid dpi value giving for import of \"{}\": {:g}", out.name, dpi));
+        else use.warn(fmt::format("Invalid dpi value giving for import of \"{}\": {:g}", out.name, dpi));
     }
     const std::string shown = out.name.empty() ? std::string() : use.machine.name_of_file(out.path);
     const std::string sheet = suffix_of(out.path) == ".svg" ? fmt::format(", center = {}, dpi = {:g}", out.center, out.dpi) : std::string();
@@ -58,6 +58,7 @@ void add_drawing(ModuleUse& use, const Value& file, const Value& layer, const Va
     out.csg = fmt::format("import(file = \"{}\", layer = \"{}\", origin = [{:g}, {:g}], scale = {:g}, convexity = 1, {}, timestamp = 0)", use.machine.name_of_file(out.path), out.layer,
                           out.origin.x, out.origin.y, out.scale, facets_text(use.machine));
     use.machine.add_child(use.place, std::move(out));
+    use.takes_children = false;
 }
 
 Made make_surface(ModuleUse& use) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 12> kPresets{"matte", "plastic", "glass", "water", "diamond", "mirror", "gold", "silver", "copper", "steel", "brushed", "emissive"};
 
 void complain(ModuleUse& use, const char* what, const Value& v, const char* wanted) {
-    use.machine.warn(use.place, fmt::format("Unable to convert {} = {} to {}", what, use.machine.text_of(v), wanted));
+    use.warn(fmt::format("Unable to convert {} = {} to {}", what, use.machine.text_of(v), wanted));
 }
 
 std::optional<double> number(ModuleUse& use, const Value& v, const char* what) {

@@ -62,9 +62,9 @@ Made make_roof(ModuleUse& use) {
     scene::Roof out{"voronoi", read_convexity(use[1], 1)};
     if (use[0].is_string()) {
         if (use[0].string() == "straight" || use[0].string() == "voronoi") out.method = std::string(use[0].string());
-        else use.machine.warn(use.place, "Unknown roof method '" + std::string(use[0].string()) + "'. Using 'voronoi'.");
+        else use.warn("Unknown roof method '" + std::string(use[0].string()) + "'. Using 'voronoi'.");
     } else if (!use[0].is_undef()) {
-        use.machine.warn(use.place, "Unable to convert roof(method=" + use.machine.text_of(use[0]) + ") parameter to a string");
+        use.warn("Unable to convert roof(method=" + use.machine.text_of(use[0]) + ") parameter to a string");
     }
     return out;
 }
@@ -76,8 +76,8 @@ constexpr std::string_view kRevolveNamed = "convexity angle start a";
 constexpr std::string_view kImport = "file layer convexity origin scale";
 constexpr std::string_view kImportNamed = "width height filename layername center dpi id";
 constexpr std::string_view kExtrudeForm = "linear_extrude(height, center, convexity, twist, slices, scale, v, segments)";
-constexpr std::string_view kRevolveForm = "rotate_extrude(angle, convexity)";
-constexpr std::string_view kImportForm = "import(\"file\", convexity)";
+constexpr std::string_view kRevolveForm = "rotate_extrude(angle, convexity, start)";
+constexpr std::string_view kImportForm = "import(\"file\", layer, convexity, origin, scale, center=, dpi=)";
 
 // A name as part of a type.
 template <std::size_t N>
@@ -128,7 +128,7 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"projection", "cut", "convexity", true, make_projection, "projection(cut)"},
     {"fill", "", "", true, plain<scene::Fill>, "fill()"},
     {"roof", "method", "convexity", true, make_roof, "roof(method)"},
-    {"text", "text size font", "direction language script halign valign spacing", false, make_text, "text(\"text\", size, font)"},
+    {"text", "text size font", "direction language script halign valign spacing", false, make_text, "text(\"text\", size, font, halign=, valign=, spacing=, direction=, language=, script=)"},
     {"import", kImport, kImportNamed, false, make_import, kImportForm},
     {"import_stl", kImport, kImportNamed, false, renamed<"import_stl", "import", make_import>, kImportForm},
     {"import_off", kImport, kImportNamed, false, renamed<"import_off", "import", make_import>, kImportForm},
@@ -147,6 +147,8 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
 });
 
 }  // namespace
+
+void ModuleUse::warn(std::string text) const { machine.warn(place, std::move(text), "expected " + std::string(signature)); }
 
 std::span<const BuiltinModule> builtin_modules() { return kModules; }
 

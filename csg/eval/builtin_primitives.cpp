@@ -14,7 +14,7 @@ bool truth_if_bool(const Value& v) { return v.is_bool() && v.boolean(); }
 // A radius by its own name or as half a diameter, which wins; unset where neither is a number.
 std::optional<double> radius(ModuleUse& use, const Value& r, const Value& d, const char* r_name, const char* d_name) {
     if (d.is_number()) {
-        if (r.is_number()) use.machine.warn(use.place, fmt::format("Ignoring radius variable '{}' as diameter '{}' is defined too.", r_name, d_name));
+        if (r.is_number()) use.warn(fmt::format("Ignoring radius variable '{}' as diameter '{}' is defined too.", r_name, d_name));
         return d.number() / 2;
     }
     if (r.is_number()) return r.number();
@@ -23,14 +23,14 @@ std::optional<double> radius(ModuleUse& use, const Value& r, const Value& d, con
 
 Vec3 three(ModuleUse& use, const Value& v, Vec3 otherwise, const char* what) {
     Vec3 out = otherwise;
-    if (!v.is_undef() && !read_vec3(v, out, 0)) use.machine.warn(use.place, fmt::format("Unable to convert {} = {} to a vec3 of numbers", what, use.machine.text_of(v)));
+    if (!v.is_undef() && !read_vec3(v, out, 0)) use.warn(fmt::format("Unable to convert {} = {} to a vec3 of numbers", what, use.machine.text_of(v)));
     return out;
 }
 
 double one(ModuleUse& use, const Value& v, double otherwise, const char* what) {
     if (v.is_undef()) return otherwise;
     if (v.is_number()) return v.number();
-    use.machine.warn(use.place, fmt::format("Unable to convert {} = {} to a number", what, use.machine.text_of(v)));
+    use.warn(fmt::format("Unable to convert {} = {} to a number", what, use.machine.text_of(v)));
     return otherwise;
 }
 
@@ -62,7 +62,7 @@ Made make_cube(ModuleUse& use) {
             if (size[i].is_number()) out.size[static_cast<int>(i)] = size[i].number();
             else good = false;
         }
-        if (!good) use.machine.warn(use.place, fmt::format("Unable to convert cube(size={}, ...) parameter to a number or a vec3 of numbers", use.machine.text_of(size)));
+        if (!good) use.warn(fmt::format("Unable to convert cube(size={}, ...) parameter to a number or a vec3 of numbers", use.machine.text_of(size)));
     }
     out.center = truth_if_bool(use[1]);
     return out;
@@ -76,7 +76,7 @@ Made make_cylinder(ModuleUse& use) {
     const std::optional<double> r = radius(use, use[4], use[5], "r", "d");
     const std::optional<double> r1 = radius(use, use[1], use[6], "r1", "d1");
     const std::optional<double> r2 = radius(use, use[2], use[7], "r2", "d2");
-    if (r && (r1 || r2)) use.machine.warn(use.place, "Cylinder parameters ambiguous");
+    if (r && (r1 || r2)) use.warn("Cylinder parameters ambiguous");
     out.r1 = r1 ? *r1 : r.value_or(1);
     out.r2 = r2 ? *r2 : r.value_or(1);
     out.center = truth_if_bool(use[3]);
@@ -93,7 +93,7 @@ Made make_polyhedron(ModuleUse& use) {
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             Vec3 p{0};
             if (!points[i].is_vector() || points[i].size() != 3 || !read_vec3(points[i], p, 0)) {
-                use.machine.warn(use.place, fmt::format("Unable to convert points[{}] = {} to a vec3 of numbers", i, use.machine.text_of(points[i])));
+                use.warn(fmt::format("Unable to convert points[{}] = {} to a vec3 of numbers", i, use.machine.text_of(points[i])));
                 out.points.clear();
                 break;
             }
@@ -114,7 +114,7 @@ Made make_square(ModuleUse& use) {
     } else if (!size.is_undef()) {
         const bool good = size.is_vector() && size.size() == 2 && size[0].is_number() && size[1].is_number();
         if (good) out.size = {size[0].number(), size[1].number()};
-        else use.machine.warn(use.place, fmt::format("Unable to convert square(size={}, ...) parameter to a number or a vec2 of numbers", use.machine.text_of(size)));
+        else use.warn(fmt::format("Unable to convert square(size={}, ...) parameter to a number or a vec2 of numbers", use.machine.text_of(size)));
     }
     out.center = truth_if_bool(use[1]);
     return out;
@@ -129,7 +129,7 @@ Made make_polygon(ModuleUse& use) {
         for (std::uint32_t i = 0; i < points.size(); ++i) {
             Vec2 p{0};
             if (!read_vec2(points[i], p)) {
-                use.machine.warn(use.place, fmt::format("Unable to convert points[{}] = {} to a vec2 of numbers", i, use.machine.text_of(points[i])));
+                use.warn(fmt::format("Unable to convert points[{}] = {} to a vec2 of numbers", i, use.machine.text_of(points[i])));
                 out.points.clear();
                 break;
             }
@@ -163,7 +163,7 @@ Made make_quadric(ModuleUse& use) {
     bool good = use[0].is_vector() && use[0].size() == out.c.size();
     for (std::uint32_t i = 0; good && i < out.c.size(); ++i) good = read_number(use[0][i], out.c[i]);
     if (good) return out;
-    use.machine.warn(use.place, fmt::format("Unable to convert quadric({}) parameter to a list of 10 numbers", use.machine.text_of(use[0])));
+    use.warn(fmt::format("Unable to convert quadric({}) parameter to a list of 10 numbers", use.machine.text_of(use[0])));
     return std::nullopt;
 }
 

@@ -44,8 +44,8 @@ Placement read_rotation(ModuleUse& use, const Value& a, const Value& v) {
         double angle = 0;  // one that is no number takes the value of the next, as in OpenSCAD
         for (std::uint32_t i = std::min(a.size(), 3u); i-- > 0; deg[i] = angle) good = read_number(a[i], angle) && good;
         if (!v.is_undef())
-            machine.warn(use.place, fmt::format("When parameter a is supplied as vector, v is ignored rotate(a={}, v={})", machine.text_of(a), machine.text_of(v)));
-        if (!good) machine.warn(use.place, fmt::format("Problem converting rotate(a={}) parameter", machine.text_of(a)));
+            use.warn(fmt::format("When parameter a is supplied as vector, v is ignored rotate(a={}, v={})", machine.text_of(a), machine.text_of(v)));
+        if (!good) use.warn(fmt::format("Problem converting rotate(a={}) parameter", machine.text_of(a)));
         return turned(deg);
     }
     double deg = 0;
@@ -53,10 +53,10 @@ Placement read_rotation(ModuleUse& use, const Value& a, const Value& v) {
     Vec3 axis{0, 0, 1};
     const bool about = read_vec3(v, axis, 0);
     if (!v.is_undef() && !about) {
-        if (angle) machine.warn(use.place, fmt::format("Problem converting rotate(..., v={}) parameter", machine.text_of(v)));
-        else machine.warn(use.place, fmt::format("Problem converting rotate(a={}, v={}) parameter", machine.text_of(a), machine.text_of(v)));
+        if (angle) use.warn(fmt::format("Problem converting rotate(..., v={}) parameter", machine.text_of(v)));
+        else use.warn(fmt::format("Problem converting rotate(a={}, v={}) parameter", machine.text_of(a), machine.text_of(v)));
     } else if (!angle) {
-        machine.warn(use.place, fmt::format("Problem converting rotate(a={}) parameter", machine.text_of(a)));
+        use.warn(fmt::format("Problem converting rotate(a={}) parameter", machine.text_of(a)));
     }
     return turned_about(deg, axis);
 }
@@ -64,7 +64,7 @@ Placement read_rotation(ModuleUse& use, const Value& a, const Value& v) {
 Made make_translate(ModuleUse& use) {
     Vec3 v{0};
     if (!read_vec3(use[0], v, 0))
-        use.machine.warn(use.place, fmt::format("Unable to convert translate({}) parameter to a vec3 or vec2 of numbers", use.machine.text_of(use[0])));
+        use.warn(fmt::format("Unable to convert translate({}) parameter to a vec3 or vec2 of numbers", use.machine.text_of(use[0])));
     return scene::Transform{Placement::translation(v)};
 }
 
@@ -75,7 +75,7 @@ Made make_scale(ModuleUse& use) {
     double all = 1;
     if (read_number(use[0], all)) s = Vec3(all);
     else if (!read_vec3(use[0], s, 1))
-        use.machine.warn(use.place, fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number",
+        use.warn(fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number",
                                                 use.machine.text_of(use[0])));
     return scene::Transform{linear({s.x, 0, 0, 0, s.y, 0, 0, 0, s.z})};
 }
@@ -83,7 +83,7 @@ Made make_scale(ModuleUse& use) {
 Made make_mirror(ModuleUse& use) {
     Vec3 n{1, 0, 0};
     if (!read_vec3(use[0], n, 0))
-        use.machine.warn(use.place, fmt::format("Unable to convert mirror({}) parameter to a vec3 or vec2 of numbers", use.machine.text_of(use[0])));
+        use.warn(fmt::format("Unable to convert mirror({}) parameter to a vec3 or vec2 of numbers", use.machine.text_of(use[0])));
     const double squared = glm::dot(n, n);
     if (!(squared > 0)) return scene::Transform{};
     const auto entry = [&](int i, int j) { return (i == j ? 1.0 : 0.0) - 2 * n[i] * n[j] / squared; };
@@ -121,7 +121,7 @@ std::optional<Vec4> read_color(ModuleUse& use, const Value& value) {
         for (std::uint32_t i = 0; i < std::min(value.size(), 4u); ++i) {
             const double c = value[i].is_number() ? value[i].number() : 0;
             if (!(c >= 0 && c <= 1))
-                use.machine.warn(use.place, fmt::format("color() expects numbers between 0.0 and 1.0. Value of {:.1f} is out of range", c));
+                use.warn(fmt::format("color() expects numbers between 0.0 and 1.0. Value of {:.1f} is out of range", c));
             out[static_cast<int>(i)] = c;
         }
         return out;

@@ -191,7 +191,7 @@ struct Inst {
     Home home;
     Matched matched;           // kBuiltin, kUser
     std::uint32_t parameters = 0;  // kBuiltin: how many it has
-    bool checks_arguments = true, refuses_children = false, clamps_facets = false;  // kBuiltin: what OpenSCAD says of its use
+    bool refuses_children = false, clamps_facets = false;  // kBuiltin: what OpenSCAD says of its use
     std::vector<Bind> binds;   // for, let
     std::vector<Argument> arguments;  // if, echo, assert, children
     std::uint32_t frame_size = kNone;  // for, let: a frame for each iteration

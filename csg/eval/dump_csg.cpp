@@ -173,7 +173,6 @@ std::string dump_csg(const Scene& scene) {
         const std::uint8_t modifiers = single && depth == 0 ? std::uint8_t{0} : child.modifiers;
         if (modifiers & kBackground) out += "%";
         if (modifiers & kHighlight) out += "#";
-        if (modifiers & kRoot) out += "!";
         out += std::string(depth, '\t') + std::visit(Head{child}, child.what) + (child.children.empty() ? ";\n" : " {\n");
         if (!child.children.empty()) open.push_back({id, 0, depth + 1, true});
     }

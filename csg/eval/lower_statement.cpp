@@ -105,10 +105,10 @@ InstId Lowering::lower_instantiation(const ast::Instantiation& inst, LexicalScop
             const std::size_t positional = add(builtin.positional);
             out.parameters = static_cast<std::uint32_t>(add(builtin.named));
             out_.sees_lights |= asks_placement(builtin.name);
-            out.checks_arguments = !is_one_of(builtin.name, {"union", "difference", "intersection", "group"});
             out.refuses_children = !builtin.takes_children && !is_one_of(builtin.name, {"text", "import", "surface", "import_stl", "import_off", "import_dxf"});
             out.clamps_facets = is_one_of(builtin.name, {"cube", "sphere", "cylinder", "polyhedron", "square", "circle", "polygon"});
-            out.matched = match(inst.arguments, parameters, {}, positional, scope);
+            // Their arguments mean nothing, and OpenSCAD does not look at them: not even $-variables are passed on.
+            if (!is_one_of(builtin.name, {"union", "difference", "intersection", "group"})) out.matched = match(inst.arguments, parameters, {}, positional, scope);
             break;
         }
         case InstKind::kFor:

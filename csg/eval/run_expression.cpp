@@ -405,7 +405,8 @@ void Machine::run_assert(const std::vector<Argument>& list, std::size_t first, s
         else if (!name.empty()) warn(place, "variable " + name + " not specified as parameter");
         if (name.empty()) ++position;
     }
-    if (condition && truth(condition->value, frame)) return;
+    if (!condition) warn(place, "Ignoring unknown variable 'condition'");
+    else if (truth(condition->value, frame)) return;
     std::string text = "Assertion";
     if (condition) {
         text += " '";

@@ -110,7 +110,7 @@ void Machine::make_builtin(const Inst& inst, Activation* frame) {
     const code::Scope* children = has_children ? &program_.scopes[inst.children] : nullptr;
     if (children && inst.refuses_children && !(children->insts.empty() && children->binds.empty()))
         warn(inst.place, "module " + std::string(builtin.name) + "() does not support child modules");
-    if (input_.check_parameters && inst.checks_arguments)
+    if (input_.check_parameters)
         for (const Complaint& complaint : inst.matched.complaints) warn(inst.place, complaint.text, hint_of_complaint(names_, complaint, builtin));
     const std::size_t base = stack_.size();
     stack_.resize(base + inst.parameters);
@@ -130,7 +130,7 @@ void Machine::make_builtin(const Inst& inst, Activation* frame) {
         }
         run_binds(*children, inside);
     }
-    ModuleUse use{*this, inst.place, {stack_.data() + base, inst.parameters}};
+    ModuleUse use{*this, inst.place, {stack_.data() + base, inst.parameters}, builtin.signature};
     std::optional<scene::What> what = builtin.run(use);
     stack_.resize(base);
     if (!what) return;
@@ -139,7 +139,7 @@ void Machine::make_builtin(const Inst& inst, Activation* frame) {
         placement_ = placement_ * t->placement;
         make_all(*children, inside);
         placement_ = outer;
-    } else if (children && builtin.takes_children) {
+    } else if (children && builtin.takes_children && use.takes_children) {
         make_all(*children, inside);
     }
     add_node(inst, std::move(*what), first);

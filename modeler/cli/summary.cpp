@@ -58,7 +58,11 @@ double area_of(const Mesh& mesh) {
 // As many members as the set has dimensions.
 std::vector<double> members(Vec3 v, int dimensions) { return dimensions == 2 ? std::vector<double>{v.x, v.y} : std::vector<double>{v.x, v.y, v.z}; }
 
-std::string two_places(Vec3 v, int dimensions) { return fmt::format("{:.2f}", fmt::join(members(v, dimensions), ", ")); }
+// Never "-0.00".
+std::string two_places(Vec3 v, int dimensions) {
+    for (int i = 0; i < 3; ++i) v[i] = std::round(v[i] * 100) / 100 + 0.0;
+    return fmt::format("{:.2f}", fmt::join(members(v, dimensions), ", "));
+}
 
 }  // namespace
 

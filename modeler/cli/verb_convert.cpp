@@ -42,10 +42,13 @@ Job job_of(const std::string& format) {
     return Job::kUnknown;
 }
 
+// As in OpenSCAD, $preview is true where nothing is made of the scene.
+constexpr Preview kAsPreviewed{true, false};
+
 // The messages and nothing else, as OpenSCAD puts them in the file; a scene that is wrong leaves them there too.
 Exit write_echo(Session& session, const std::string& path) {
     session.console.tell_echoes(false);
-    const auto evaluated = read_text_of_scene(session, {});
+    const auto evaluated = read_text_of_scene(session, kAsPreviewed);
     session.console.tell_echoes(true);
     if (!evaluated) return give_up(session, evaluated.error());
     const auto written = write_output(path, echo_text(evaluated->diagnostics, evaluated->sources));
@@ -54,7 +57,7 @@ Exit write_echo(Session& session, const std::string& path) {
 }
 
 Exit write_csg(Session& session, const std::string& path) {
-    const auto evaluated = read_text_of_scene(session, {});
+    const auto evaluated = read_text_of_scene(session, kAsPreviewed);
     if (!evaluated) return give_up(session, evaluated.error());
     if (evaluated->stopped()) return Exit::kScene;
     const auto written = write_output(path, dump_csg(evaluated->scene));

@@ -56,7 +56,7 @@ Evaluated evaluated(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(scenes().size() >= 280); }
+TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(scenes().size() >= 360); }
 
 TEST_CASE("messages of the corpus are OpenSCAD's") {
     for (const std::string& name : scenes()) {

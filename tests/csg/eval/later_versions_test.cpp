@@ -169,3 +169,8 @@ TEST_CASE("segments stand in a .csg where they are given") {
     CHECK(csg_of("linear_extrude(h = 3, twist = 9, slices = 4, segments = 12) square(1);").find(", slices = 4, segments = 12, scale = [1, 1])") != std::string::npos);
     CHECK(csg_of("linear_extrude(h = 3, segments = 0) square(1);").find("segments") == std::string::npos);
 }
+
+TEST_CASE("import takes the id of what is meant of a drawing") {
+    CHECK(csg_of("import(\"a.svg\", id = \"lid\");").find("layer = \"lid\"") != std::string::npos);
+    CHECK(csg_of("import(\"a.svg\", layer = \"top\", id = \"lid\");").find("layer = \"top\"") != std::string::npos);
+}

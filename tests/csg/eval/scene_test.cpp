@@ -182,3 +182,14 @@ TEST_CASE("powers of small whole numbers are exact") {
         }
     }
 }
+
+TEST_CASE("an extrusion of a file leaves out what stands under it") {
+    CHECK(csg_of("linear_extrude(\"a.dxf\", height = 2) square(1);").find("square") == std::string::npos);
+    CHECK(csg_of("rotate_extrude(file = \"a.dxf\") square(1);").find("square") == std::string::npos);
+    CHECK(csg_of("linear_extrude(height = 2) square(1);").find("square") != std::string::npos);
+}
+
+TEST_CASE("a file that is no text is named as it is shown") {
+    CHECK(csg_of("import(5);").find("import(file = \"5\"") != std::string::npos);
+    CHECK(csg_of("import();").find("import(file = \"\"") != std::string::npos);
+}

@@ -275,3 +275,15 @@ TEST_CASE("an animation is one numbered output a frame, each at its own time") {
     CHECK(run_whittle(with_small({"--animate", "2", "turn.scad"}), there).code == 0);
     CHECK(!folder.read("turn00001.png").empty());
 }
+
+TEST_CASE("$preview is true where nothing is made of the scene, false for meshes, as in OpenSCAD") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("s.scad", "echo($preview); cube(1);");
+    CHECK(run_whittle({"-o", folder.name("a.echo"), scene}).code == 0);
+    CHECK(folder.read("a.echo") == "ECHO: true\n");
+    CHECK(contains(run_whittle({"-o", folder.name("a.csg"), scene}).err, "ECHO: true"));
+    CHECK(contains(run_whittle({"-o", folder.name("a.stl"), scene}).err, "ECHO: false"));
+    CHECK(contains(run_whittle({"mesh", scene, "-o", folder.name("b.stl")}).err, "ECHO: false"));
+    CHECK(contains(run_whittle({"-o", folder.name("a.png"), "--imgsize=8,8", scene}).err, "ECHO: true"));
+    CHECK(contains(run_whittle({"-o", folder.name("a.png"), "--imgsize=8,8", "--render", scene}).err, "ECHO: false"));
+}

@@ -1,0 +1,1 @@
+f=function(x) x*2; echo(f(3), (function(x) x)(1), [f][0](4)); function f(x)=100; echo(f(1)); f2=5; function f2()=6; echo(f2()); echo(f2(1)); g=function(n) n<=0?0:1+g(n-1); echo(g(5)); h=3; echo(h(1)); echo("a"(1));

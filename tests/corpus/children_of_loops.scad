@@ -1,0 +1,1 @@
+module m() { for(i=[0:$children-1]) translate([i,0,0]) children(i); } m() { cube(1); if(true) sphere(1); for(j=[0:1]) cylinder(); let(a=2) cube(a); } module w() m() children(); w() { cube(3); sphere(4); } m();

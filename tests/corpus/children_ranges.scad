@@ -1,0 +1,1 @@
+module m() { $x = 5; children(); } $x = 1; m() echo($x); module n() { children([0,2]); children([5]); children([0:0.5:1]); children([2:-1:0]); children([1:3]); children(undef); children([0:20000]); } n() { cube(1); cube(2); cube(3); }

@@ -1,0 +1,1 @@
+echo([for(i=[1,2],j=[i:3]) [i,j]], [for(c="abc") c], [for(x=undef) x], [for(x=5) x], [for(i=[0:2:5]) if(i>1) i else -i], [each [1,2], 3, each "ab", each [0:2], each undef, each 7], [each for(i=[0:2]) [i,i]], [for(i=[0,1]) let(a=i*2) a], [for(i=0,j=1;i<4;i=i+1,j=j*2) [i,j]], [if(true) 1, if(false) 2 else 3], [let(a=3) for(i=[0:a]) i]);

@@ -1,0 +1,22 @@
+module m() { echo($fn); square(1); }
+union($fn=12) m();
+difference($fn=12) m();
+intersection($fn=12) m();
+group($fn=12) m();
+hull($fn=12) m();
+minkowski($fn=12) m();
+render($fn=12) m();
+color($fn=12) m();
+projection($fn=12) m();
+resize($fn=12) m();
+offset($fn=12) m();
+linear_extrude($fn=12) m();
+rotate_extrude($fn=12) m();
+translate($fn=12) m();
+rotate($fn=12) m();
+scale($fn=12) m();
+mirror($fn=12) m();
+multmatrix($fn=12) m();
+echo($fn=12) m();
+intersection_for($fn=12) m();
+let($fn=13) m(); for($fn=[14]) m();

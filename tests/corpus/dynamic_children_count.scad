@@ -1,0 +1,1 @@
+module m($fn=7) { echo($fn); sphere(1); } m(); m($fn=9); $fn=5; m(); echo($children); module n() echo($children, $parent_modules, parent_module(0)); n() { cube(1); for(i=[1]) cube(2); if(false) cube(3); } n();

@@ -1,0 +1,1 @@
+function f($a=5) = g(); function g() = $a; echo(f(), f($a=6)); $a=1; echo(g(), f()); module m() { $a = 7; n(); echo(g()); } module n() echo($a); m(); n(); for($i=[0:1]) echo($i); echo([for($i=[1,2]) h()]); function h()=$i*2; echo(let($z=3) k()); function k() = $z;

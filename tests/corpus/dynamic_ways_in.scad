@@ -1,0 +1,1 @@
+module a() { echo($q); b(); } module b() echo("b",$q); a($q=3); $q=5; a(); function f() = $q; echo(f($q=9), f(), let($q=2) f()); for($q=[1,2]) b(); translate([0,0,0],$q=8) b(); module c() children(); c($q=11) b();

@@ -1,0 +1,1 @@
+echo(a=1,2,b="x",[1,2]); echo(); echo(undef); module m() echo(parent_module(1), parent_module(5), parent_module(-1)); module n() m(); n(); let(a=5) { echo(a); cube(a); } echo(len(concat([1],[2]))); each [1];

@@ -1,0 +1,1 @@
+echo(min(), min("a"), min(["a","b"]), max(["b","a"]), max([[1,2],[0,3]]), min([true,false]), max(undef), min(1,undef), max([1,2],[3]), max(1,2,3), min([5]), max(0/0,1), max(1,0/0), min([0/0,1]), min(1,[2]));

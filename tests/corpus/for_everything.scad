@@ -1,0 +1,1 @@
+for(i=[1,2,3],j=[i,i*2]) echo(i,j); for(i="ab") echo(i); for(i=5) echo(i); for(i=undef) echo(i); for(i=[]) echo(i); for(i=[[1,2],[3,4]]) echo(i); for(i=[2:-1:0]) echo(i); for(i=[0:-1]) echo(i); for() echo("none"); for(i=[0:1],i=[5:6]) echo(i); intersection_for(i=[0:1]) cube(i+1); for(i=true) echo(i);

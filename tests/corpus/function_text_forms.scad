@@ -1,0 +1,1 @@
+f=function(x, y=2) x+y*2; echo(f, [f], str(f), f==f, f==function(x, y=2) x+y*2, is_function(f)); g=f; echo(g==f); h=function(a) a?-a:!a; echo(h); k=function() [for(i=[0:2]) if (i>1) i else each [i]]; echo(k); l=function(v) let(a=1,b=2) assert(true) echo("x") v.x[2]; echo(l);

@@ -1,0 +1,1 @@
+echo(min(1,2), min([3,1,2]), max(), max([]), max("a"), max([1,"a"]), min(1,"a"), norm([3,4]), norm([]), norm(["a"]), norm(1), cross([1,0,0],[0,1,0]), cross([1,2],[3,4]), cross([1],[2]), len(5), len("äö"), concat(), concat(1,[2],[[3]]), concat("a",[]));

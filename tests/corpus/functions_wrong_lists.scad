@@ -1,0 +1,1 @@
+echo(len(), len(1,2), len([1],[2]), len(undef), len(true), ord("a","b"), chr(), chr([]), chr([-1,65,"a"]), chr(65.9), chr(undef), str(), concat([1:3]), concat([],[]), concat(undef), norm(), norm([1,2],[3]), norm([1e200,1e200]), cross(), cross([1,2,3],[4,5]), cross([1,2,"a"],[4,5,6]), cross([1,0/0,1],[1,1,1]), cross([1,1/0,1],[1,1,1]));

@@ -1,0 +1,1 @@
+echo(atan2("a",1), atan2(1), sin(), sin("a"), pow(1), pow("a",2), log(0), log(-1), log(2,"a"), log(10,100), log(0,5), ln(-1), exp(1000), exp("a"), floor(1/0), round(0.49999999999999994), ceil(-0.5), sqrt("a"), sign("a"));

@@ -1,0 +1,1 @@
+t=[[3,30],[1,10],[2,20]]; echo(lookup(2.5,t), lookup(0,t), lookup(9,t), lookup(1,t), lookup("a",t), lookup(1,[]), lookup(1,5), lookup(1,[[1]]), lookup(1.5,[[1,1],["a",2],[2,4]])); for(i=[0:4]) echo(lookup(i*.7,t));

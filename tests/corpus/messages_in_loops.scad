@@ -1,0 +1,1 @@
+for(i=[0:9]) echo(nope); foo(); foo(); x=bar(1); cube(nope2);

@@ -1,0 +1,1 @@
+module m() { echo("x"); cube(1); } %m(); #m(); *m(); !m(); module k() { !sphere(1); } k(); %translate([1,0,0]) { cube(1); #sphere(1); } for(i=[0:1]) #cube(i+1); #for(i=[0:1]) cube(1); %if(true) cube(3); *if(true) cube(1); else cube(2);

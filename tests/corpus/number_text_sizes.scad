@@ -1,0 +1,1 @@
+cube(1/3); translate([1/3,1e-10,1e10]) cube(1); cube([123456789,0.000001234,1e7]); rotate(1/3) cube(1); scale(1e-7) cube(1); sphere(1e6); cylinder(h=1234567.8,r=0.00001234); polygon([[1/3,2/3],[1e7,1],[0,-0.0]]);

@@ -1,0 +1,1 @@
+hull(); hull() {} minkowski() {} hull() { square(1); translate([5,5]) circle(1); } hull() { cube(1); square(2); } union() { cube(1); square(1); } difference() { square(1); cube(1); } intersection() { cube(1); } projection() square(1); linear_extrude(1) cube(1); rotate_extrude() cube(1); offset(1) cube(1);

@@ -1,0 +1,1 @@
+group(1,2,3) cube(1); union(1,2) cube(1); render(1,2) cube(1); hull(1) cube(1); minkowski(1,2) cube(1); translate([1,0,0],5) cube(1); projection(true,2) square(1); for(i=[0:0],5) cube(1); children(); children(5);

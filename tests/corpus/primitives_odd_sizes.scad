@@ -1,0 +1,1 @@
+cube(-1); cube(0); cube([1,2]); cube("a"); cube([1,0/0,1]); cube(1/0); cube(center=true); cube(size=[1,2,3],center=true,4); sphere(d=4); sphere(r=1,d=4); sphere(-1); sphere("a"); cylinder(10,5); cylinder(h=1,r=2,r1=3); cylinder(d1=1,r2=4,d=9); cylinder(h=-1); cylinder(5,1,2,true);

@@ -1,0 +1,1 @@
+text("Hi"); text("Hi",5,"Liberation Sans"); text("a",size=3,font="x",direction="rtl",language="ar",script="arab",halign="center",valign="top",spacing=2,$fn=8); text(5); text([1,2]); text(); text("a",halign="bad",valign=3);
