@@ -152,6 +152,10 @@ TEST_CASE("a wrong argument is answered with the signature") {
     CHECK(hint_of("module wheel(r, width) {} wheel(1, widht=2);") == "did you mean 'width'? expected wheel(r, width)");
     CHECK(hint_of("function f(a, b=1) = a; echo(f(1, 2, 3));") == "expected f(a, b)");
     CHECK(hint_of("f = function(x) x; echo(f(1, y=2));") == "expected f(x)");
+    CHECK(hint_of("translate(\"a\") cube(1);") == "expected translate([x, y, z])");
+    CHECK(hint_of("rotate(\"a\") cube(1);") == "expected rotate([x, y, z]) or rotate(angle, axis)");
+    CHECK(hint_of("cube(\"a\");") == "expected cube(size, center)");
+    CHECK(hint_of("polygon([[0, 0], [1, true]]);") == "expected polygon(points, paths, convexity)");
 }
 
 TEST_CASE("bit operators and hexadecimal numbers are there") {

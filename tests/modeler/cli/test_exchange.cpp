@@ -252,3 +252,21 @@ TEST_CASE("a library folder of OPENSCADPATH holds files that scenes import") {
     REQUIRE(spans.code == 0);
     CHECK(contains(spans.out, R"("point":[-2,-2,-3])"));
 }
+
+TEST_CASE("segments give the facets that OpenSCAD's development version makes") {
+    // Volumes of its files (2025, Manifold, six digits a coordinate).
+    const std::pair<const char*, double> cases[] = {
+        {"linear_extrude(5, twist=90, slices=4, segments=16) square(4);", 80.521307},
+        {"linear_extrude(5, twist=90, slices=4, segments=0) square([4,2]);", 45.363096},
+        {"linear_extrude(5, scale=[1,3], slices=5, segments=22) square([6,2]);", 120},
+        {"linear_extrude(8, twist=-200, scale=[2,0.5], slices=12, segments=40) difference() { square(6,center=true); translate([1,0]) square(2,center=true); }", 276.11664},
+        {"linear_extrude(5, twist=60, scale=2, slices=6, segments=13) polygon([[0,0],[4,1],[2,5]]);", 105.571755},
+        {"linear_extrude(10, [3,0,4], twist=45, slices=3, segments=9) square(2);", 33.016867},
+    };
+    for (const auto& [text, volume] : cases) {
+        INFO(text);
+        const TemporaryFolder folder;
+        REQUIRE(run_whittle({"mesh", folder.file("s.scad", text), "-o", folder.name("a.off")}).code == 0);
+        CHECK(volume_in(folder, "a.off") == Approx(volume).epsilon(1e-4));
+    }
+}
