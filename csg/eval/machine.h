@@ -89,7 +89,7 @@ public:
 private:
     using TermId = code::TermId;
 
-    // Expressions (run_expression.cpp).
+    // Expressions (run_expression.cpp, run_number.cpp).
     Value eval(TermId id, Activation* frame);
     // What most terms are, kept in registers. Where `is` is false, the value is no number and lies in what was handed over for it.
     struct Number { double value; bool is; };
