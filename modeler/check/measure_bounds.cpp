@@ -15,6 +15,7 @@ namespace {
 constexpr int kGrid = 32;          // lines along each side of the first grid
 constexpr int kStarts = 3;         // best grid lines that are refined
 constexpr int kHalvings = 48;      // of the pattern's step: below the last place of its coordinates
+constexpr int kRounds = 1000;      // of the pattern in all: along a narrow ridge that runs askew it would otherwise climb by its least step
 
 // Finds the extreme of the solid along one axis, towards +axis (sign 1) or -axis (sign -1).
 class ExtremeSearch {
@@ -69,16 +70,17 @@ private:
     void refine(Best& best, LineScratch& scratch) {
         if (!std::isfinite(best.reach)) return;
         Vec2 step = step_ / 2.0;
-        for (int halving = 0; halving < kHalvings && best.reach < sign_ * outer_;) {
+        for (int halving = 0, round = 0; halving < kHalvings && round < kRounds && best.reach < sign_ * outer_; ++round) {
             const Best before = best;
             for (int k = 0; k < 9; ++k) {
                 const Vec2 at = before.at + step * Vec2(k % 3 - 1, k / 3 - 1);
                 const double reach = k == 4 ? best.reach : probe(at, scratch);
                 if (reach > best.reach) best = {reach, at};
             }
-            if (best.reach > before.reach) continue;
-            step *= 0.5;
-            ++halving;
+            const bool climbs = best.reach > before.reach + error_;  // less is rounding: a flat side is a little higher somewhere for ever
+            if (climbs && halving == 0) continue;
+            step *= climbs ? 2 : 0.5;
+            halving += climbs ? -1 : 1;
         }
     }
 

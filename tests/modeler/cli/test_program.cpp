@@ -130,6 +130,20 @@ TEST_CASE("measure gives values with their errors") {
     CHECK(contains(run_whittle({"measure", scene}).out, "volume"));
 }
 
+TEST_CASE("the bounds of a solid with edges that curve askew are found, however slowly they climb") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", R"(
+rotate([0, 0, 270]) translate([-1, -1, -0.5]) rotate([270, 0, 0]) intersection() {
+    translate([0, 0, 1.5]) rotate([0, 270, 0]) cylinder(h = 1, r = 2, center = true);
+    translate([-0.5, 0.5, -1]) rotate([180, 0, 0]) difference() {
+        translate([2, -0.5, -2]) rotate([90, 0, 0]) sphere(2.5);
+        translate([-0.5, 1, -0.5]) rotate([180, 0, 0]) linear_extrude(2) offset(r = 0.5) square([1, 3]);
+    }
+}
+)");
+    CHECK(run_whittle({"measure", scene, "--limit-time", "60"}).code == 0);
+}
+
 TEST_CASE("measure says where facets stand for a smooth surface") {
     const TemporaryFolder folder;
     const Outcome twisted = run_whittle({"measure", folder.file("t.scad", "linear_extrude(10, twist = 90, slices = 4) translate([3, 0]) circle(2);\n")});
