@@ -16,11 +16,12 @@ constexpr double kMostSwing = 0.5;          // of the angle, in radians
 constexpr std::size_t kMostParts = 64;
 constexpr double kLeastPart = 0x1p-36;      // of the window
 constexpr double kEvaluation = 34 * u;      // what Horner's rule rounds, of the size
+constexpr double kTiny = 0x1p-1060;         // what a product may lose that underflows
 
 // Sets the rounding of a sum of `terms` products whose magnitudes add up to `size`, and whose derivatives' do to `steep`.
 void add_rounding(Series& r, double terms, double size, double steep) {
-    r.error = (r.error + terms * u * size) * kRoom;
-    r.slope_error = (r.slope_error + terms * u * steep) * kRoom;
+    r.error = (r.error + terms * u * size) * kRoom + kTiny;
+    r.slope_error = (r.slope_error + terms * u * steep) * kRoom + kTiny;
 }
 
 template <class Join>
@@ -143,6 +144,7 @@ struct Part {
     Series f;
     double at = 0, half = 1;
     int before = 0, behind = 0;
+    int cuts = 0;  // that led to it, each of which may round its place
 };
 
 struct Value {
@@ -180,7 +182,7 @@ public:
         out_.count = 0;
         out_.first_sign = f.c[0] > 0 ? 1 : -1;
         if (origin_ == kNowhere && keeps_sign(f)) return true;
-        Part whole{f, 0, 1, sign_at(f, -1), sign_at(f, 1)};
+        const Part whole{f, 0, 1, sign_at(f, -1), sign_at(f, 1), 0};
         if (whole.before == 0 || whole.behind == 0) return false;
         out_.first_sign = static_cast<std::int8_t>(whole.before);
         return window_.half == 0 || isolate(whole);
@@ -227,7 +229,7 @@ private:
     // The part of the part between two q.
     static Part part(const Part& p, double from, double to, int before, int behind) {
         const double half = 0.5 * (to - from), centre = 0.5 * (from + to);
-        Part r{p.f, p.at + p.half * centre, p.half * half, before, behind};
+        Part r{p.f, p.at + p.half * centre, p.half * half, before, behind, p.cuts + 1};
         Series& f = r.f;
         for (std::size_t i = 0; i < f.degree; ++i)
             for (std::size_t k = f.degree; k-- > i;) f.c[k] += centre * f.c[k + 1];
@@ -257,7 +259,7 @@ private:
             if ((q - room > -1 && sign_at(p.f, q - room) != p.before) || (q + room < 1 && sign_at(p.f, q + room) != p.behind)) continue;
             const double s = p.at + p.half * q;
             t = window_.middle + window_.half * s;
-            error = (window_.half * (p.half * room + 2 * u) + 2 * u * (std::abs(window_.middle) + window_.half)) * kRoom;
+            error = (window_.half * (p.half * room + 2 * u * (1 + p.cuts)) + 2 * u * (std::abs(window_.middle) + window_.half)) * kRoom;
             return std::isfinite(t) && std::isfinite(error);
         }
         return false;
