@@ -1,0 +1,90 @@
+// packet_facts.cpp — what packets need to know of a finished program: which label a class shows, which items are balls, which groups hold matter.
+#include <algorithm>
+
+#include "tracer/engine/tile.h"
+
+namespace whittle {
+
+namespace {
+
+bool holds(const Program& program, Ref ref) {
+    return ref.is_leaf() ? program.leaves[ref.index()].fills : program.groups[ref.index()].holds;
+}
+
+}  // namespace
+
+namespace {
+
+bool is_mostly_turned(const Program& program) {
+    const auto has_turned_sides = [&](const Leaf& leaf) {
+        // They stand last.
+        return leaf.kind == FormulaKind::kCell && leaf.count > 0 && is_turned(program.classes[program.half_spaces[leaf.first + leaf.count - 1].id()].kind);
+    };
+    const auto turned = std::count_if(program.leaves.begin(), program.leaves.end(), has_turned_sides);
+    return 2 * static_cast<std::size_t>(turned) > program.leaves.size();
+}
+
+}  // namespace
+
+void describe_for_packets(Program& program) {
+    program.mostly_turned = is_mostly_turned(program);
+    struct Users {
+        std::uint32_t leaf = 0, count = 0;
+        bool silent_cutters = true, of_facets = false, exact = true;
+    };
+    std::vector<Users> users(program.classes.size());
+    const auto meet = [&](ClassId id, std::uint32_t leaf, bool countable) {
+        if (id == kNoClass) return;
+        Users& u = users[id];
+        const LeafUse& use = program.uses[program.leaves[leaf].use];
+        if (u.count == 0 || u.leaf != leaf) ++u.count;
+        u.leaf = leaf;
+        u.silent_cutters = u.silent_cutters && countable && use.subtracts && !use.material->names_surface();
+        u.of_facets = u.of_facets || !countable;
+        u.exact = u.exact && program.leaves[leaf].exact;
+        if (!countable) u.count += 2;
+    };
+    for (std::uint32_t i = 0; i < program.leaves.size(); ++i) {
+        const Leaf& leaf = program.leaves[i];
+        if (leaf.kind == FormulaKind::kCell)
+            for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
+        if (leaf.kind == FormulaKind::kPrism)
+            for (const auto* classes : {&program.prisms[leaf.first].edges, &program.prisms[leaf.first].own})
+                for (const ClassId id : *classes) meet(id, i, false);
+        if (leaf.kind == FormulaKind::kMesh)
+            for (const auto* classes : {&program.meshes[leaf.first].facets, &program.meshes[leaf.first].own})
+                for (const ClassId id : *classes) meet(id, i, false);
+    }
+    // Packets look for the least use; priorities are a single ray's work.
+    program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
+    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });
+    for (const Users& u : users) {
+        ClassLabel label;
+        if (u.count > 0 && u.silent_cutters) {
+            if (program.matter_by_author) label.kind = ClassLabel::Kind::kHeld;
+        } else if (u.count == 1) {
+            label = {ClassLabel::Kind::kUse, true, false, program.leaves[u.leaf].use};
+        }
+        label.of_facets = u.of_facets;
+        label.exact = u.exact;
+        program.some_depend = program.some_depend || label.kind == ClassLabel::Kind::kDepends;
+        program.some_uncertified = program.some_uncertified || !label.exact;
+        program.class_labels.push_back(label);
+    }
+    for (const Ref ref : program.refs) {
+        ItemBall ball;
+        if (ref.is_leaf() && program.leaves[ref.index()].kind == FormulaKind::kCell && program.leaves[ref.index()].count == 1 && holds(program, ref)) {
+            const HalfSpace h = program.half_spaces[program.leaves[ref.index()].first];
+            const Support& s = program.classes[h.id()];
+            if (s.kind == SupportKind::kBall && s.frame == 0 && !h.inverted()) ball = {s.p[0], s.p[1], s.p[2], s.p[3], h.id()};
+        }
+        program.balls.push_back(ball);
+    }
+    // Children stand before their groups.
+    for (Group& g : program.groups) {
+        for (std::uint32_t i = 0; i < g.plain_count; ++i) g.holds = g.holds || holds(program, program.refs[g.first_plain + i]);
+        for (std::uint32_t i = 0; i < g.item_count; ++i) g.holds = g.holds || holds(program, program.refs[g.first_item + i]);
+    }
+}
+
+}  // namespace whittle
