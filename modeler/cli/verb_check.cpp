@@ -159,7 +159,9 @@ std::vector<std::string> scenes_of(const std::vector<std::string>& paths) {
 Exit check_suite(Session& session) {
     std::size_t agreed = 0, disagreed = 0, refused = 0;
     std::vector<std::string> rows;
-    for (const std::string& path : scenes_of(session.request.inputs)) {
+    const std::vector<std::string> scenes = scenes_of(session.request.inputs);
+    if (scenes.empty()) return give_up(session, {Fault::kScene, "--suite: there is no .scad file in the folders named"});
+    for (const std::string& path : scenes) {
         Request request = session.request;
         request.inputs = {path};
         Session one{request, session.console, session.stats, session.watchdog, session.summary};

@@ -157,6 +157,13 @@ TEST_CASE("the command line is wrong: exit code 2, before anything is read or wr
     CHECK(folder.names() == std::vector<std::string>{"a.scad"});
 }
 
+TEST_CASE("a suite of no scenes is no success") {
+    const TemporaryFolder folder;
+    const Outcome run = run_whittle({"check", "--suite", folder.path().string()});
+    CHECK(run.code == 1);
+    CHECK(contains(run.err, "no .scad file"));
+}
+
 TEST_CASE("a line that is no ray is named by its number") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("a.scad", "cube(1);\n");
