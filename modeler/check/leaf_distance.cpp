@@ -87,8 +87,8 @@ LeafDistance extrusion_distance(const PlacedLeaf& leaf, const shape::Extrusion& 
     const double z = std::clamp(q.z, e.z0, e.z1), share = share_of_height(e, q.z);
     const Vec2 s = scale_at(e, share);
     const double angle = e.twist_deg * share * M_PI / 180;  // undoes a clockwise twist
-    const Vec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y, std::sin(angle) * q.x + std::cos(angle) * q.y);
-    const Vec2 p = in_profile(leaf, {s.x > 0 ? turned.x / s.x : 0, s.y > 0 ? turned.y / s.y : 0});
+    const Vec2 even(s.x > 0 ? q.x / s.x : 0, s.y > 0 ? q.y / s.y : 0);  // scaled last on the way up
+    const Vec2 p = in_profile(leaf, {std::cos(angle) * even.x - std::sin(angle) * even.y, std::sin(angle) * even.x + std::cos(angle) * even.y});
     LeafDistance wall = profile_distance(leaf, p);
     if (!is_plain(e) && (e.twist_deg != 0 || e.scale_top.x != e.scale_top.y)) wall = {std::min(wall.curved, wall.flat), kInfiniteDistance};
     const double above = q.z - z;

@@ -154,3 +154,18 @@ TEST_CASE("a roof that ends in a line is near its walls up to that line") {
         }
     }
 }
+
+TEST_CASE("a twist that is scaled unevenly is near where its profile is, turned first and scaled then") {
+    SolidBuilder b;
+    Use root;
+    root.node = b.shape(shape::Extrusion{b.shape(shape::Rectangle{{0, 0}, {8, 2}}), 0, 10, 45, {2, 0.5}, 0});
+    const auto leaves = LeafDistances::of(b.finish(root));
+    REQUIRE(leaves);
+    for (const double share : {0.2, 0.5, 0.8}) {
+        const double a = -45 * share * M_PI / 180, kx = 1 + share, ky = 1 - 0.5 * share;
+        for (const Vec2 p : {Vec2(8, 1), Vec2(3, 2), Vec2(6, 0)}) {
+            const Vec3 on(kx * (std::cos(a) * p.x - std::sin(a) * p.y), ky * (std::sin(a) * p.x + std::cos(a) * p.y), 10 * share);
+            CHECK(leaves->nearest(on, 1, 1e-9, 1).distance < 1e-9);
+        }
+    }
+}
