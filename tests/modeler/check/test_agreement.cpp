@@ -170,6 +170,13 @@ std::uint64_t agreeing_trees(std::uint64_t count, std::uint64_t first = 0) {
 
 TEST_CASE("meshes of random trees agree with their spans") { CHECK(agreeing_trees(12) == 12); }
 
+TEST_CASE("a turned parabola, cones through chords to rays, agrees with its mesh") {
+    SolidBuilder b;
+    const Solid solid = b.finish(use(b.shape(shape::Revolution{b.shape(shape::ParabolicSegment{{0, 0}, {1.75, 3.5}, {3.5, 0}}), 30, 360, 0})));
+    const MeshResult made = meshed(solid);
+    CHECK(agreement(solid, made, made.mesh).agree);
+}
+
 // In tens, so that a run that is stopped has said how far it came; WHITTLE_FROM is the first tree.
 TEST_CASE("meshes of 300 random trees agree with their spans", "[.][soak]") {
     for (std::uint64_t first = support::first_of_run(); first < 300; first += 10) {
