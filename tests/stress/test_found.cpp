@@ -212,3 +212,13 @@ TEST_CASE("a limit before the first border changes nothing of a ray along a pris
     const Solid solid = b.finish(use(b.shape(shape::Extrusion{profile, 0, 0.75, 0, {1, 1}, 0}), Placement{{1, 0, 0, 0, 0, 1, lean, 0, 0, -lean, 1, 0}}));
     CHECK(fault(solid, ray({-1.5, -0x1.fffffffebb2f8p-3, 0x1.800000001b116p-1}, {0, 3.5, -0x1.7af34p-33})).empty());
 }
+
+TEST_CASE("a ray along a tapered disc meets nothing where it leaves the heights far away") {
+    SolidBuilder b;
+    const NodeId taper = b.shape(shape::Extrusion{b.shape(shape::Disc{2}), 0, 0.25, 0, {0.5, 0.5}, 0});
+    const Placement leaned{{0x1.101848d316b52p-3, 0x1.dabe819b29814p-3, -0x1.ed62fc3fc13bap-1, 0, 0x1.bc366f500622ep-1, -0x1.fd3129b18fb4ap-2, 0, 0, -0x1.eaae47ec0e1a5p-2,
+                            -0x1.ac104b73f75c1p-1, -0x1.11986811a52cap-2, 0}};
+    const Placement far{{1e-06, 0, 0, -0x1.3d5850ba4e3a6p-13, 0, 1e-06, 0, 0x1.c41ed9146a581p-12, 0, 0, 1e-06, -0x1.bf99bfc43ab5dp-6}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(taper, leaned)}), far));
+    CHECK(fault(solid, ray({-0x1.3f734697612d7p-13, 0x1.c4591261e74edp-12, -0x1.bf96a6a897ac7p-6}, {0x1.495e7c140b311p-17, 0x1.0cdbb79d64ca3p-14, -0x1.28fba3cfce2ap-15})).empty());
+}

@@ -57,10 +57,7 @@ namespace {
 // Of turned sides only what lies between counts.
 void keep_within(const TurnedWindow& window, std::vector<exact::RealRoot>& roots, std::int8_t& first_sign) {
     const auto is_at_most = [](const exact::RealRoot& root, double t) { return exact::RealRoot::compare(root, exact::RealRoot::at(Dyadic(t))) <= 0; };
-    while (!roots.empty() && !(is_at_most(roots.back(), window.to) && window.from < window.to)) {
-        if (is_at_most(roots.back(), window.from)) break;
-        roots.pop_back();
-    }
+    while (!roots.empty() && !is_at_most(roots.back(), window.to)) roots.pop_back();
     while (!roots.empty() && is_at_most(roots.front(), window.from)) {
         roots.erase(roots.begin());
         first_sign = static_cast<std::int8_t>(-first_sign);
@@ -72,6 +69,11 @@ void keep_within(const TurnedWindow& window, std::vector<exact::RealRoot>& roots
 std::vector<exact::RealRoot> exact_crossings(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
     TurnedWindow window;
     const bool windowed = is_turned(support.kind) && turned_window(*frame.twist, ray_in_frame(frame, ray), window);
+    if (window.empty) {
+        out.count = 0;
+        out.first_sign = static_cast<std::int8_t>(sign_out_of_reach(support, *frame.twist));
+        return {};
+    }
     const Polynomial p = exact_polynomial(support, frame, ray, leaving && !(windowed && !window.holds_origin()));
     auto roots = exact::sign_changes(p);
     out.first_sign = static_cast<std::int8_t>(p.empty() ? 1 : exact::sign_at_minus_infinity(p));

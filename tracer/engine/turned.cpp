@@ -66,11 +66,11 @@ public:
             constant_ = at(N(0.0)).c[0];
             leaving_ = true;
         }
-        const int before = sign_at(window.from);
-        if (before == 0) return false;
-        out.first_sign = before;
         out.count = 0;
-        if (!(window.from < window.to)) return true;
+        out.first_sign = window.empty ? sign_out_of_reach(support_, twist_) : sign_at(window.from);
+        if (window.empty) return true;
+        const int before = out.first_sign;
+        if (before == 0) return false;
         const int behind = sign_at(window.to);
         if (behind == 0) return false;
         rest_ = rest_of(window);
@@ -225,7 +225,7 @@ bool as_crossings(const TurnedRoots<Bounded>& roots, Crossings& out) {
 bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
     const double height = w.to - w.from, room = kMargin * height, reach = w.reach * (1 + kMargin);
     const double dd = ray.d[0] * ray.d[0] + ray.d[1] * ray.d[1];
-    double from = -HUGE_VAL, to = HUGE_VAL, elsewhere = 0;
+    double from = -HUGE_VAL, to = HUGE_VAL;
     if (dd > 0) {
         const double closest = -(ray.o[0] * ray.d[0] + ray.o[1] * ray.d[1]) / dd;
         const double x = ray.o[0] + closest * ray.d[0], y = ray.o[1] + closest * ray.d[1], rest = reach * reach - (x * x + y * y);
@@ -233,7 +233,6 @@ bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
         const double half = rest < 0 ? -1 : std::sqrt(rest / dd);
         from = closest - half;
         to = closest + half;
-        elsewhere = closest;
     } else if (std::hypot(ray.o[0], ray.o[1]) > reach) {
         to = -HUGE_VAL;
     }
@@ -241,12 +240,13 @@ bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
         const double a = (w.from - room - ray.o[2]) / ray.d[2], b = (w.to + room - ray.o[2]) / ray.d[2];
         from = std::max(from, std::min(a, b));
         to = std::min(to, std::max(a, b));
-        elsewhere = a + 0.3819660113 * (b - a);
     } else if (ray.o[2] < w.from - room || ray.o[2] > w.to + room) {
         to = -HUGE_VAL;
     }
-    // Where the piece's heights are out of its reach, any of them is outside; no symmetry favours this one.
-    if (!(from < to)) from = to = elsewhere;
+    if (!(from < to)) {
+        out = {0, 0, true};
+        return !std::isnan(from) && !std::isnan(to);
+    }
     if (!std::isfinite(from) || !std::isfinite(to)) return false;
     const double far = std::max(std::abs(from), std::abs(to));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -254,8 +254,14 @@ bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
         const double rounding = ray.eo[i] + far * ray.ed[i] + 4 * kUnitRoundoff * (std::abs(ray.o[i]) + far * std::abs(ray.d[i]));
         if (!(rounding < kPlain * size)) return false;
     }
-    out = {from, to};
+    out = {from, to, false};
     return true;
+}
+
+int sign_out_of_reach(const Support& support, const Twist& twist) {
+    // No symmetry favours this place.
+    const Near x = Near(3.6180339887 * twist.reach), y = Near(2.7320508076 * twist.reach);
+    return turned::curve(support, Taylor<Near, 1>(x), Taylor<Near, 1>(y), Taylor<Near, 1>(Near(1.0))).c[0].sign() < 0 ? -1 : 1;
 }
 
 bool fine_turned(const Support& support, const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {

@@ -11,14 +11,18 @@
 namespace whittle {
 
 // The part of the ray that can matter: a little more than what lies in the piece's cylinder. The same for all sides of a piece, so that beyond it the formula
-// keeps the value it has at its ends, which is outside.
+// keeps the value it has at its ends, which is outside. Empty: the ray is out of reach at all the piece's heights, and has no crossing.
 struct TurnedWindow {
     double from = 0, to = 0;
-    bool holds_origin() const { return from < 0 && to > 0; }
+    bool empty = false;
+    bool holds_origin() const { return !empty && from < 0 && to > 0; }
 };
 
 // False: entering the frame rounds too much.
 bool turned_window(const Twist& twist, const FrameRay& ray, TurnedWindow& out);
+
+// The side's sign at a place out of the piece's reach, one for all its sides: there the formula is outside.
+int sign_out_of_reach(const Support& support, const Twist& twist);
 
 // Requires of what follows: is_turned(support.kind), and the frame is the support's.
 

@@ -114,6 +114,7 @@ void turning(const Near& c, const Near& s, const Near& swing, Series& cosine, Se
 
 bool turned_series(const Twist& twist, const FrameRay& ray, TurnedSeries& out) {
     if (!turned_window(twist, ray, out.window)) return false;
+    if (out.window.empty) return true;
     const double from = out.window.from, to = out.window.to;
     out.middle = from + 0.5 * (to - from);
     out.half = std::max(to - out.middle, out.middle - from) * kRoom;
@@ -185,7 +186,7 @@ public:
         const Part whole{f, 0, 1, sign_at(f, -1), sign_at(f, 1), 0};
         if (whole.before == 0 || whole.behind == 0) return false;
         out_.first_sign = static_cast<std::int8_t>(whole.before);
-        return window_.half == 0 || isolate(whole);
+        return isolate(whole);
     }
 
 private:
@@ -273,7 +274,12 @@ private:
 
 }  // namespace
 
-bool series_crossings(const Support& support, const TurnedSeries& series, bool leaving, Crossings& out) {
+bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, bool leaving, Crossings& out) {
+    if (series.window.empty) {
+        out.count = 0;
+        out.first_sign = static_cast<std::int8_t>(sign_out_of_reach(support, twist));
+        return true;
+    }
     return SeriesRoots(series, out).find(turned::curve(support, series.x, series.y, series.unit), leaving);
 }
 

@@ -52,6 +52,6 @@ struct TurnedSeries {
 bool turned_series(const Twist& twist, const FrameRay& ray, TurnedSeries& out);
 
 // The crossings of one side of the piece, as roots.h promises. False: double cannot tell.
-bool series_crossings(const Support& support, const TurnedSeries& series, bool leaving, Crossings& out);
+bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, bool leaving, Crossings& out);
 
 }  // namespace whittle
