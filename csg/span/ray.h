@@ -35,8 +35,9 @@ struct Ray {
 // bits to underflow. Queries require it.
 inline bool is_askable(const Ray& ray) {
     constexpr double kLeast = 0x1p-300, kMost = 0x1p300;  // 5e-91, 2e90
+    const auto fits = [](double x) { return x == 0 || (std::fabs(x) >= kLeast && std::fabs(x) <= kMost); };
     for (int k = 0; k < 3; ++k)
-        if (const double size = std::fabs(ray.direction[k]); !(std::fabs(ray.origin[k]) <= kMost) || !(size == 0 || (size >= kLeast && size <= kMost))) return false;
+        if (!fits(ray.origin[k]) || !fits(ray.direction[k])) return false;
     return ray.direction != Vec3(0);
 }
 

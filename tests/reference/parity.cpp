@@ -54,20 +54,28 @@ std::vector<std::size_t> passed(const std::vector<Facet>& facets, const Ray& ray
 bool is_near(const Facet& facet, const Triple& along, const Ray& ray, const Dyadic& t) {
     // Everything times |along|^2, where that is not 0, to stay without a division.
     const Dyadic along2 = dot(along, along);
-    const bool wall = !along2.is_zero();
-    const Triple direction = exact(ray.direction);
-    Triple d = direction;
-    for (std::size_t i = 0; wall && i < 3; ++i) d[i] = direction[i] * along2 - along[i] * dot(direction, along);
-    Dyadic longest;
-    for (std::size_t i = 0; i < facet.lines.size(); ++i) {
-        const Triple side = minus(facet.lines[(i + 1) % facet.lines.size()].point, facet.lines[i].point);
-        const Dyadic leans = dot(side, along);
-        const Dyadic length2 = wall ? dot(side, side) * along2 - leans * leans : dot(side, side);
-        if (longest < length2) longest = length2;
+    const auto seen = [&](const Triple& v) {
+        if (along2.is_zero()) return v;
+        const Dyadic part = dot(v, along);
+        return Triple{v[0] * along2 - along[0] * part, v[1] * along2 - along[1] * part, v[2] * along2 - along[2] * part};
+    };
+    Triple lo = seen(facet.lines[0].point), hi = lo;
+    Dyadic size;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const Line& line : facet.lines) {
+            const Dyadic x = seen(line.point)[i];
+            if (x < lo[i]) lo[i] = x;
+            if (hi[i] < x) hi[i] = x;
+        }
+        if (size < hi[i] - lo[i]) size = hi[i] - lo[i];
     }
-    const Dyadic scale = wall ? along2 : Dyadic(1.0);
-    const Dyadic away = t * dot(d, d) - dot(minus(facet.lines[0].point, exact(ray.origin)), d) * scale;
-    return !(Dyadic(7.0625) * longest * dot(d, d) * scale < away * away);
+    const Triple origin = seen(exact(ray.origin)), direction = seen(exact(ray.direction));
+    const Dyadic room = Dyadic(kFacetReach) * size;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Dyadic at = origin[i] + t * direction[i];
+        if (at < lo[i] - room || hi[i] + room < at) return false;
+    }
+    return true;
 }
 
 bool is_along(const Faceted& solid, const Ray& ray) {

@@ -40,7 +40,10 @@ struct Faceted {
 // The facets that the ray's whole line passes.
 std::vector<std::size_t> passed(const std::vector<Facet>& facets, const Ray& ray);
 
-// Is t within sqrt(7.0625) of the facet's longest side from its first corner, along the ray; of a wall, all seen along the prism's `along`?
+// How far from its box, in parts of its greatest side, a facet's crossing may lie where its class is another's plane.
+inline constexpr double kFacetReach = 0.000297;
+
+// Is the ray at t that near the facet; of a wall, all seen along the prism's `along`?
 bool is_near(const Facet& facet, const Triple& along, const Ray& ray, const Dyadic& t);
 
 // For a ray along a prism, which passes no wall: is it inside?

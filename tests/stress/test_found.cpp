@@ -222,3 +222,17 @@ TEST_CASE("a ray along a tapered disc meets nothing where it leaves the heights 
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(taper, leaned)}), far));
     CHECK(fault(solid, ray({-0x1.3f734697612d7p-13, 0x1.c4591261e74edp-12, -0x1.bf96a6a897ac7p-6}, {0x1.495e7c140b311p-17, 0x1.0cdbb79d64ca3p-14, -0x1.28fba3cfce2ap-15})).empty());
 }
+
+TEST_CASE("a limit before the first border changes nothing of a ray along an edge of meshes that snap") {
+    SolidBuilder b;
+    FacetList ell;
+    for (const double z : {0.0, 1.25})
+        for (const Vec2& p : {Vec2{0, 0}, {2.5, 0}, {2.5, 1.25}, {1.25, 1.25}, {1.25, 2.5}, {0, 2.5}}) ell.points.push_back({p.x, p.y, z});
+    ell.facets = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}, {0, 1, 7, 6}, {1, 2, 8, 7}, {2, 3, 9, 8}, {3, 4, 10, 9}, {4, 5, 11, 10}, {5, 0, 6, 11}};
+    const NodeId mesh = b.shape(shape::Polyhedron{std::make_shared<const FacetList>(ell)});
+    const double s = 0x1.0000000000005p+0, l = 0x1.0000000000013p+0;
+    const Placement small{{s, 0, 0, 1.5e-15, 0, s, 0, 0, 0, 0, s, 1.5e-15}}, large{{l, 0, 0, 5.25e-15, 0, l, 0, 0, 0, 0, l, 5.25e-15}};
+    const NodeId waist = b.shape(shape::Quadric{{1, 1, -1, 0, 0, 0, 0, 0, 0, -1.25}});
+    const Solid solid = b.finish(use(b.combine(SetOp::kIntersection, {use(b.combine(SetOp::kUnion, {use(mesh, small), use(waist)})), use(mesh, large)})));
+    CHECK(fault(solid, ray({0, 0, 0x1.400000000000ep+1}, {0x1.b05876e5b012p-49, 0, -0x1.4000000000001p+0})) == "");
+}

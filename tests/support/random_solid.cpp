@@ -263,8 +263,10 @@ Ray random_ray(const RandomSolid& solid, std::mt19937_64& random) {
     else r.origin = p, r.direction = Vec3(dice.integer(-2, 2), dice.integer(-2, 2), dice.integer(-2, 2));
     if (dice.one_in(12)) r.direction = -r.direction;
     if (dice.one_in(12)) r.direction *= dice.real(0.01, 100);
-    for (int k = 0; k < 3; ++k)
-        if (std::fabs(r.direction[k]) < 0x1p-300) r.direction[k] = 0;  // the difference of two corners that were moved by rounding: not askable
+    // Corners that were moved by rounding, and their differences, may be smaller than may be asked.
+    for (Vec3* v : {&r.origin, &r.direction})
+        for (int k = 0; k < 3; ++k)
+            if (std::fabs((*v)[k]) < 0x1p-300) (*v)[k] = 0;
     if (r.direction == Vec3(0)) r.direction = Vec3(0, 0, 1);
     return r;
 }

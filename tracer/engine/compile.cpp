@@ -168,9 +168,9 @@ private:
 
     static bool is_finite(const Bounds& b) { return std::isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z); }
 
-    // A snapped face lies outside its own box by what the snap moved it.
+    // A snapped face lies outside its own box by what the snap moved it, and is crossed a little further out by a ray almost in it.
     Bounds grown(const Bounds& box) const {
-        const double room = kSnapRoom * classes_.largest;
+        const double room = kSnapRoom * classes_.largest + kFacetReach * longest_moved_;
         return box.empty() ? box : Bounds{box.lo - room, box.hi + room};
     }
 
@@ -240,6 +240,12 @@ private:
         return differ ? own : std::vector<ClassId>{};
     }
 
+    // A side of a facet that the snap moved, in the coordinates of its frame.
+    void keep_longest(FrameId frame, Vec3 side) {
+        const Vec3 in_root = apply_to_direction(formula_.table.frames[frame].placement, side);
+        longest_moved_ = std::max(longest_moved_, std::sqrt(dot(in_root, in_root)));
+    }
+
     void add_prism(const PrismData& p) {
         PrismLeaf leaf;
         leaf.frame = p.frame;
@@ -254,6 +260,15 @@ private:
             }
         }
         leaf.own = own_planes(p.edges);
+        const auto side = [&](std::size_t i) {
+            const Vec2 v = leaf.points[leaf.next[i]] - leaf.points[i];
+            Vec3 local(0);
+            local[(p.axis + 1) % 3] = v.x;
+            local[(p.axis + 2) % 3] = v.y;
+            return local;
+        };
+        for (std::size_t i = 0; i < leaf.own.size(); ++i)
+            if (leaf.own[i] != leaf.edges[i]) keep_longest(p.frame, side(i));
         program_.prisms.push_back(std::move(leaf));
     }
 
@@ -272,6 +287,9 @@ private:
         }
         ParityMesh leaf{m.frame, m.mesh, hierarchy, {}, own_planes(m.facets)};
         for (const SupportId s : m.facets) leaf.facets.push_back(s == kNoSupport ? kNoClass : classes_.of[s].id);
+        for (std::size_t i = 0; i < leaf.own.size(); ++i)
+            for (std::size_t k = 0; leaf.own[i] != leaf.facets[i] && k < 3; ++k)
+                keep_longest(m.frame, m.mesh->points[m.mesh->triangles[i][(k + 1) % 3]] - m.mesh->points[m.mesh->triangles[i][k]]);
         program_.meshes.push_back(std::move(leaf));
     }
 
@@ -280,6 +298,7 @@ private:
     Program program_;
     std::map<const TriangleList*, std::shared_ptr<const Hierarchy>> hierarchies_;
     std::uint64_t emptied_ = 0;
+    double longest_moved_ = 0;  // of the sides of facets that the snap moved
 };
 
 }  // namespace

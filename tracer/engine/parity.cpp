@@ -18,17 +18,15 @@ bool push_crossing(RayContext& context, ClassId id, std::vector<Event>& out) {
     return c.count == 1;
 }
 
-// The square of how many of its own lengths away from its first corner a facet's crossing may lie. Its own plane's lies within one; anything above will
-// do, and no round figure, so that no tidy scene stands on the edge.
-constexpr double kFacetsReach2 = 7.0625;
-
-// Is `t` near the facet with these corners, seen along `along` (0: as it is)? In the root frame.
+// Is `t` in the box of the facet with these corners, or no further from it than kFacetReach of its size; seen along `along` (0: as it is)? In the root frame.
+// A facet's own crossing is in it, and what culls by boxes counts with that reach.
 bool is_near(const Ray& ray, const std::array<Vec3, 3>& corners, const Vec3& along, double t) {
     const double length2 = dot(along, along);
     const auto seen = [&](const Vec3& v) { return length2 > 0 ? v - along * (dot(v, along) / length2) : v; };
-    const Vec3 d = seen(ray.direction), ab = seen(corners[1] - corners[0]), bc = seen(corners[2] - corners[1]), ca = seen(corners[0] - corners[2]);
-    const double away = t * dot(d, d) - dot(corners[0] - ray.origin, d);
-    return away * away <= kFacetsReach2 * std::max({dot(ab, ab), dot(bc, bc), dot(ca, ca)}) * dot(d, d);
+    const Vec3 a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]), at = seen(ray.origin) + t * seen(ray.direction);
+    const Vec3 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c)), size = hi - lo;
+    const Vec3 room(kFacetReach * std::max({size.x, size.y, size.z}));
+    return glm::all(glm::lessThanEqual(lo - room, at)) && glm::all(glm::lessThanEqual(at, hi + room));
 }
 
 // The crossing of a facet whose class is another's plane: of the class where that is near it, otherwise of its own plane.

@@ -59,6 +59,10 @@ struct Group {
     std::uint32_t hierarchy = 0, wide = 0;         // root nodes in `nodes` and `wide`, if item_count > 0
 };
 
+// How far from its box, in parts of its greatest side, a facet's crossing may lie where its class is another's plane: further away its own plane says
+// where (parity.cpp). The snap moves planes by less than a thousand-millionth of that; no round figure, so that no tidy scene stands on the edge.
+inline constexpr double kFacetReach = 0.000297;
+
 struct PrismLeaf {
     FrameId frame = 0;
     std::uint8_t axis = 2;
