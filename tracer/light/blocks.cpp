@@ -24,13 +24,14 @@ constexpr int kBeside = 2;
 
 // May the standard error of the pixel's display luminance be `noise` or more?
 bool is_noisy(const Film& film, std::size_t pixel, double noise) {
-    const double variance = film.variance(pixel);
-    if (variance * kSteepest * kSteepest < noise * noise) return false;
+    const PixelSums& p = film.pixels[pixel];
+    if (p.samples < 2) return false;
+    // Both times n^2 (n - 1), to spare most pixels their quotients.
+    const double n = p.samples, variance = n * p.luminance_squared - p.luminance * p.luminance, allowed = noise * noise * (n * n * (n - 1));
+    if (variance * (kSteepest * kSteepest) < allowed) return false;
     const double slope = steepness(luminance(film.color(pixel)));
-    return variance * slope * slope >= noise * noise;
+    return variance * (slope * slope) >= allowed;
 }
-
-using BlockMarks = std::array<bool, std::tuple_size_v<BlockSamples>>;
 
 // Marks the blocks that hold a pixel at most kBeside from (x, y) of the tile.
 void mark_around(int x, int y, BlockMarks& marks) {
@@ -62,14 +63,18 @@ BlockSamples samples_of(const Film& film, TileRegion tile) {
     return samples;
 }
 
-BlockSamples begins_of(const Film& film, TileRegion tile, int goal, GoodEnough enough) {
-    BlockSamples begins = samples_of(film, tile);
+BlockMarks busy_blocks(const Film& film, TileRegion tile, GoodEnough enough) {
+    const BlockSamples samples = samples_of(film, tile);
     BlockMarks busy{};
-    for (std::size_t b = 0; b < begins.size(); ++b) {
-        const TileRegion block = block_in(tile, static_cast<int>(b));
-        if (enough.noise == 0 || begins[b] < enough.least) busy[b] = true;
-        else mark_noisy(film, tile, block, enough.noise, busy);
+    for (std::size_t b = 0; b < samples.size(); ++b) {
+        if (enough.noise == 0 || samples[b] < enough.least) busy[b] = true;
+        else mark_noisy(film, tile, block_in(tile, static_cast<int>(b)), enough.noise, busy);
     }
+    return busy;
+}
+
+BlockSamples begins_of(const Film& film, TileRegion tile, int goal, const BlockMarks& busy) {
+    BlockSamples begins = samples_of(film, tile);
     for (std::size_t b = 0; b < begins.size(); ++b) {
         const TileRegion block = block_in(tile, static_cast<int>(b));
         if (!busy[b] || begins[b] > goal || block.width == 0 || block.height == 0) begins[b] = goal;

@@ -26,7 +26,12 @@ struct GoodEnough {
 // The samples that `film` holds of each block.
 BlockSamples samples_of(const Film& film, TileRegion tile);
 
-// Where each block goes on from to reach `goal`: its samples, or `goal` where it has them, is good enough, or is not there.
-BlockSamples begins_of(const Film& film, TileRegion tile, int goal, GoodEnough enough);
+using BlockMarks = std::array<bool, std::tuple_size_v<BlockSamples>>;
+
+// The blocks that are not good enough. It changes only as the tile's pixels do.
+BlockMarks busy_blocks(const Film& film, TileRegion tile, GoodEnough enough);
+
+// Where each block goes on from to reach `goal`: the samples `film` holds of it, or `goal` where it has them, is not busy, or is not there.
+BlockSamples begins_of(const Film& film, TileRegion tile, int goal, const BlockMarks& busy);
 
 }  // namespace whittle

@@ -46,6 +46,7 @@ public:
     Rendering(const Stage& stage, RenderControl& control, Film film) : stage_(stage), control_(control), film_(std::move(film)), tiles_(tiles_of(stage.options)) {
         for (const TileRegion& tile : tiles_) counted_.push_back(static_cast<int>(film_.pixels[film_.index(tile.x, tile.y)].samples));
         for (int n : counted_) samples_before_ += n;
+        for (const TileRegion& tile : tiles_) busy_.push_back(busy_blocks(film_, tile, enough_));
     }
 
     RenderResult run() {
@@ -90,7 +91,7 @@ private:
         control_.keep(film_);
     }
 
-    BlockSamples begins(std::size_t i, int goal) const { return begins_of(film_, tiles_[i], goal, enough_); }
+    BlockSamples begins(std::size_t i, int goal) const { return begins_of(film_, tiles_[i], goal, busy_[i]); }
 
     int least_begin(int goal) const {
         int least = goal;
@@ -102,7 +103,9 @@ private:
     }
 
     void draw(std::size_t i, int goal, Worker& worker) {
-        if (!worker.drawer.draw(tiles_[i], begins(i, goal), goal, film_, &control_.abort)) return;
+        const BlockSamples from = begins(i, goal);
+        if (!worker.drawer.draw(tiles_[i], from, goal, film_, &control_.abort)) return;
+        if (*std::min_element(from.begin(), from.end()) < goal) busy_[i] = busy_blocks(film_, tiles_[i], enough_);
         if (goal <= counted_[i]) return;
         samples_counted_ += goal - counted_[i];
         counted_[i] = goal;
@@ -123,13 +126,14 @@ private:
     void count_samples(RenderResult& r) const {
         r.complete = least_begin(stage_.options.samples) == stage_.options.samples;
         r.samples_finished = tiles_.empty() ? 0 : stage_.options.samples;
-        for (const TileRegion& tile : tiles_)
-            for (int y = tile.y; y < tile.y + tile.height; ++y)
-                for (int x = tile.x; x < tile.x + tile.width; ++x) {
-                    const int samples = static_cast<int>(film_.pixels[film_.index(x, y)].samples);
-                    r.samples_finished = std::min(r.samples_finished, samples);
-                    r.samples_most = std::max(r.samples_most, samples);
-                }
+        for (const TileRegion& tile : tiles_) {
+            const BlockSamples samples = samples_of(film_, tile);
+            for (std::size_t b = 0; b < samples.size(); ++b) {
+                if (const TileRegion block = block_in(tile, static_cast<int>(b)); block.width == 0 || block.height == 0) continue;
+                r.samples_finished = std::min(r.samples_finished, samples[b]);
+                r.samples_most = std::max(r.samples_most, samples[b]);
+            }
+        }
     }
 
     RenderResult finished() {
@@ -161,7 +165,8 @@ private:
     RenderControl& control_;
     Film film_;
     std::vector<TileRegion> tiles_;
-    std::vector<int> counted_;  // samples a tile has, or was spared, for the progress
+    std::vector<BlockMarks> busy_;  // by tile
+    std::vector<int> counted_;      // samples a tile has, or was spared, for the progress
     tbb::enumerable_thread_specific<Worker> workers_{[this] { return Worker(stage_); }};
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::int64_t samples_before_ = 0;
