@@ -51,35 +51,36 @@ double filter_radius(FilterKind kind) {
     return 0.5;
 }
 
-FilterSampler::FilterSampler(FilterKind kind) : kind_(kind), radius_(filter_radius(kind)) {
+FilterSampler::FilterSampler(FilterKind kind) {
+    Table& t = table_;
+    t.radius = filter_radius(kind);
+    t.width = 2 * t.radius / kCells;
     double total = 0, signed_total = 0;
-    const double width = 2 * radius_ / kCells;
     for (int i = 0; i < kCells; ++i) {
-        const double value = filter_profile(kind, -radius_ + (i + 0.5) * width);
+        const double value = filter_profile(kind, -t.radius + (i + 0.5) * t.width);
         total += std::abs(value);
         signed_total += value;
-        cumulative_[static_cast<std::size_t>(i + 1)] = total;
-        weights_[static_cast<std::size_t>(i)] = value < 0 ? -1 : 1;
+        t.cumulative[static_cast<std::size_t>(i + 1)] = total;
+        t.weights[static_cast<std::size_t>(i)] = value < 0 ? -1 : 1;
     }
-    for (double& c : cumulative_) c /= total;
+    for (double& c : t.cumulative) c /= total;
     balance_ = signed_total / total;
-    for (std::size_t g = 0; g < kGuesses; ++g) first_cells_[g] = static_cast<std::uint8_t>(cell_of(static_cast<double>(g) / kGuesses, 0));
+    const double guesses = static_cast<double>(t.first_cells.size());
+    for (std::size_t g = 0; g < t.first_cells.size(); ++g) t.first_cells[g] = static_cast<std::int32_t>(cell_of(static_cast<double>(g) / guesses, 0));
 }
 
 // The last cell that begins at or before `u`, not before the cell `first`.
 std::size_t FilterSampler::cell_of(double u, std::size_t first) const {
     std::size_t cell = first;
-    while (cell + 1 < kCells && cumulative_[cell + 1] <= u) ++cell;
+    while (table_.cumulative[cell + 1] <= u) ++cell;
     return cell;
 }
 
 FilterSampler::Axis FilterSampler::axis(double u) const {
-    if (kind_ == FilterKind::kBox) return {u - 0.5, 1};
-    const std::size_t cell = cell_of(u, first_cells_[static_cast<std::size_t>(u * kGuesses)]);
-    const double share = cumulative_[cell + 1] - cumulative_[cell];
-    const double within = share > 0 ? (u - cumulative_[cell]) / share : 0.5;
-    const double x = -radius_ + (static_cast<double>(cell) + within) * (2 * radius_ / kCells);
-    return {x, weights_[cell]};
+    const Table& t = table_;
+    const std::size_t cell = cell_of(u, static_cast<std::size_t>(t.first_cells[static_cast<std::size_t>(u * static_cast<double>(t.first_cells.size()))]));
+    const double within = (u - t.cumulative[cell]) / (t.cumulative[cell + 1] - t.cumulative[cell]);
+    return {-t.radius + (static_cast<double>(cell) + within) * t.width, t.weights[cell]};
 }
 
 FilterSampler::Place FilterSampler::place(Vec2 u) const {

@@ -32,6 +32,15 @@ public:
     };
     // `u` in [0,1)^2.
     Place place(Vec2 u) const;
+    // As read by those who draw many places at once (tracer/light/lanes.h).
+    static constexpr int kCells = 128, kGuessBits = 10;
+    struct Table {
+        double radius = 0, width = 0;  // width: of a cell
+        std::array<double, kCells + 1> cumulative{};
+        std::array<double, kCells> weights{};                         // the sign of the profile in a cell
+        std::array<std::int32_t, 1 << kGuessBits> first_cells{};  // the cell in which a share of u begins
+    };
+    const Table& table() const { return table_; }
     // Integral of the filter over integral of |filter|, both axes: the expected weight of a sample.
     double expected_weight() const { return balance_ * balance_; }
 
@@ -40,13 +49,8 @@ private:
     Axis axis(double u) const;
     std::size_t cell_of(double u, std::size_t first) const;
 
-    static constexpr int kCells = 128, kGuesses = 1024;
-    FilterKind kind_;
-    double radius_;
+    Table table_;
     double balance_ = 1;
-    std::array<double, kCells + 1> cumulative_{};
-    std::array<double, kCells> weights_{};              // the sign of the profile in a cell
-    std::array<std::uint8_t, kGuesses> first_cells_{};  // the cell in which a share of u begins
 };
 
 }  // namespace whittle

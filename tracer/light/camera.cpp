@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <sleef.h>
 
 #include "csg/base/degrees.h"
+#include "tracer/light/circle.h"
 
 namespace whittle {
 
@@ -160,20 +160,12 @@ Ray camera_ray(const Lens& lens, double x, double y) {
 
 namespace {
 
-Sleef_double_2 sine_cosine_of_turns(double turns) { return Sleef_cinz_sincospid1_u05purec(2 * turns); }
-
 // A point of the aperture, equal areas, in the lens's plane. A polygon stands on a side.
 Vec2 on_aperture(const Lens& lens, Vec2 u) {
     const double radius = lens.aperture / 2;
-    if (lens.blades < 3) {
-        const Sleef_double_2 turn = sine_cosine_of_turns(u.y);
-        return radius * std::sqrt(u.x) * Vec2(turn.y, turn.x);
-    }
+    if (lens.blades < 3) return radius * std::sqrt(u.x) * on_circle(u.y);
     const double scaled = u.y * lens.blades, side = std::floor(scaled), across = scaled - side, out = std::sqrt(u.x);
-    const auto corner = [&](double k) {
-        const Sleef_double_2 turn = sine_cosine_of_turns((k - 0.5) / lens.blades - 0.25);
-        return Vec2(turn.y, turn.x);
-    };
+    const auto corner = [&](double k) { return on_circle((k - 0.5) / lens.blades - 0.25); };
     return radius * out * glm::mix(corner(side), corner(side + 1), across);
 }
 

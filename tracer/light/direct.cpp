@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include <sleef.h>
+
 #include "tracer/engine/cone.h"
+#include "tracer/light/lanes.h"
 
 namespace whittle {
 
@@ -13,6 +16,9 @@ constexpr double kLeastShare = 1.0 / 512;
 
 // Borders that a shadow ray goes through before it is called blocked.
 constexpr int kMostBorders = 256;
+
+// A single sample of an area stands in its middle.
+Vec2 middle_of(const LightSource& lamp) { return lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0); }
 
 // Lamps have numbers of their own at every bounce: bounces beyond this share them.
 constexpr std::uint32_t kBouncesApart = 64;
@@ -36,15 +42,30 @@ LightSample DirectLight::sample(std::size_t number, Vec3 point, const Sampler& s
         const ShadowAnswer& a = ahead_.first[i];
         if (a.lamp == number && a.part == static_cast<std::uint32_t>(part) && a.origin == point) return a.sample;
     }
+    const std::optional<PairOf> draw = draw_of(number, bounce, part, parts);
+    if (draw) ++counters_.draws;
+    return sample_light(stage_.lights[number], point, draw ? sampler.pair(*draw) : middle_of(stage_.lights[number]));
+}
+
+std::optional<PairOf> DirectLight::draw_of(std::size_t number, int bounce, int part, int parts) const {
+    const bool spread = stage_.lights[number].extended() || stage_.needs.sizeless;
+    if (!spread || stage_.options.samples * parts == 1 || stage_.integrator == Integrator::kCone) return std::nullopt;
+    const std::uint32_t place = static_cast<std::uint32_t>(bounce) % kBouncesApart + kBouncesApart * static_cast<std::uint32_t>(number);
+    return PairOf{Draw::kLight, place, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts)};
+}
+
+void DirectLight::sample_many(std::size_t number, const Vec3* points, const Sampler* samplers, std::size_t count, int part, int parts, LightSample* samples) {
     const LightSource& lamp = stage_.lights[number];
-    // A single sample of an area stands in its middle.
-    Vec2 u = lamp.kind == LightKind::kParallelogram ? Vec2(0.5, 0.5) : Vec2(0, 0);
-    if ((lamp.extended() || stage_.needs.sizeless) && stage_.options.samples * parts > 1 && stage_.integrator != Integrator::kCone) {
-        ++counters_.draws;
-        const std::uint32_t place = static_cast<std::uint32_t>(bounce) % kBouncesApart + kBouncesApart * static_cast<std::uint32_t>(number);
-        u = sampler.pair(Draw::kLight, place, static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(parts));
+    const std::optional<PairOf> draw = draw_of(number, 0, part, parts);
+    if (!draw || count == 0) {
+        for (std::size_t k = 0; k < count; ++k) samples[k] = sample_light(lamp, points[k], middle_of(lamp));
+        return;
     }
-    return sample_light(lamp, point, u);
+    counters_.draws += count;
+    lanes::Row<std::uint32_t> keys, u, v;
+    for (std::size_t k = 0; k < count; ++k) keys[k] = samplers[k].key();
+    lanes::pairs_of(keys.data(), count, samplers[0].index(), *draw, u.data(), v.data());
+    sample_light(lamp, points, u.data(), v.data(), count, samples);
 }
 
 bool DirectLight::blocked(const Ray& ray, const Leaving& leaving, double distance) const {

@@ -42,6 +42,10 @@ public:
 
     // Sample `part` of `parts` of lamp `number`, from `point`.
     LightSample sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const;
+    // The numbers that sample() draws for a lamp; none where its middle stands for it.
+    std::optional<PairOf> draw_of(std::size_t number, int bounce, int part, int parts) const;
+    // Sample `part` of `parts` of lamp `number` at first borders: from `points` by the numbers `samplers` draw. There are at most lanes::kMost.
+    void sample_many(std::size_t number, const Vec3* points, const Sampler* samplers, std::size_t count, int part, int parts, LightSample* samples);
     // Samples that lamp deserves at a hit.
     int parts_of(const LightSource& lamp) const;
     // Share of light that comes to the border from `direction`, `distance` away: 0 or 1 among opaque matter.

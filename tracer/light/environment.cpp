@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <sleef.h>
+
 #include "csg/base/degrees.h"
 #include "tracer/image/tone.h"
 #include "tracer/light/scattering.h"

@@ -20,10 +20,7 @@ struct Albedos {
 // Half of the spokes: the others are their mirror images in the plane of view and normal.
 std::array<Vec2, kSpokes / 2> half_the_spokes() {
     std::array<Vec2, kSpokes / 2> spokes;
-    for (std::size_t j = 0; j < spokes.size(); ++j) {
-        const Sleef_double_2 turn = Sleef_cinz_sincospid1_u05purec((static_cast<double>(j) + 0.5) / static_cast<double>(spokes.size()) - 0.5);
-        spokes[j] = {turn.y, turn.x};
-    }
+    for (std::size_t j = 0; j < spokes.size(); ++j) spokes[j] = on_circle((static_cast<double>(j) + 0.5) / kSpokes - 0.25);
     return spokes;
 }
 

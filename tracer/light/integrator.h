@@ -6,21 +6,11 @@
 
 #include <variant>
 
+#include "tracer/light/camera_samples.h"
 #include "tracer/light/path.h"
 #include "tracer/light/tracer.h"
 
 namespace whittle {
-
-// Sample `index` of pixel (x, y): its ray, and its place in the picture in pixels.
-struct CameraSample {
-    int x = 0, y = 0, index = 0;
-    double px = 0, py = 0;
-    double height = 0;  // of the place: -1..1 from bottom to top
-    Ray ray;
-};
-
-// The place (px, py) seen through the stage's lens at a time within its shutter.
-CameraSample camera_sample(const Stage& stage, int x, int y, int index, double px, double py, const Sampler& sampler);
 
 // One a tile; it owns nothing but its walkers.
 class Integration {
@@ -29,7 +19,7 @@ public:
 
     // Light against the sample's ray. `first` is what World::next() would answer for the ray; null: it is asked here.
     // `ahead`: shadows at that border that are known.
-    CameraLight radiance(const CameraSample& sample, const Sampler& sampler, const FirstBorder* first = nullptr, AnswersAhead ahead = {});
+    CameraLight radiance(const CameraSample& sample, const FirstBorder* first = nullptr, AnswersAhead ahead = {});
 
 private:
     const Stage& stage_;

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include <sleef.h>
+
 #include "csg/base/degrees.h"
 #include "tracer/image/tone.h"
+#include "tracer/light/lanes.h"
 #include "tracer/light/scattering.h"
 
 namespace whittle {
@@ -185,6 +188,20 @@ LightSample sample_light(const LightSource& light, Vec3 from, Vec2 u) {
     else s.direction = light.p, s.radiance = light.emitted;
     s.distance = kInfinity;
     return s;
+}
+
+void sample_light(const LightSource& light, const Vec3* from, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, LightSample* samples) {
+    if (light.kind != LightKind::kSun || !(light.one_minus_cos > 0)) {
+        for (std::size_t k = 0; k < count; ++k) samples[k] = sample_light(light, from[k], Vec2(sobol::unit(u[k]), sobol::unit(v[k])));
+        return;
+    }
+    lanes::Row<double> x, y, z;
+    lanes::in_cap(light.p, light.one_minus_cos, u, v, count, {x.data(), y.data(), z.data()});
+    LightSample s = sample_light(light, Vec3(0), Vec2(0));
+    for (std::size_t k = 0; k < count; ++k) {
+        s.direction = {x[k], y[k], z[k]};
+        samples[k] = s;
+    }
 }
 
 bool meet_lights(const std::vector<LightSource>& lights, Vec3 origin, Vec3 direction, double t_max, LightMet& met) {

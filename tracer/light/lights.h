@@ -43,6 +43,9 @@ struct LightSample {
 // `u` in [0,1)^2; unused by points. What a light at `from` itself would send (no distance) is zero.
 LightSample sample_light(const LightSource& light, Vec3 from, Vec2 u);
 
+// The same from each of `count` <= lanes::kMost places, by 2^32 times `u` and `v`.
+void sample_light(const LightSource& light, const Vec3* from, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, LightSample* samples);
+
 // Radiance of the nearest light (environments aside) met before `t_max` by the ray, suns included when nothing limits it; false: none.
 struct LightMet {
     double t = 0;

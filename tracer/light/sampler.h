@@ -15,6 +15,13 @@ namespace whittle {
 enum class Draw : std::uint32_t { kPixel = 0, kLens = 1, kTimeAndWavelength = 2, kLight = 3, kLobe = 4, kChoice = 5, kSky = 6 };
 inline constexpr std::uint32_t kPairsAVertex = 4;
 
+// Which pair of numbers: `bounce` counts the vertices of the path; `part` of `parts` stratifies within the sample (light samples).
+struct PairOf {
+    Draw what;
+    std::uint32_t bounce = 0, part = 0, parts = 1;
+    std::uint32_t which() const { return static_cast<std::uint32_t>(what) + kPairsAVertex * bounce; }
+};
+
 namespace sobol {
 
 inline std::uint32_t reversed(std::uint32_t x) {
@@ -63,25 +70,29 @@ inline double unit(std::uint32_t x) { return x * 0x1p-32; }
 // The numbers of one sample of one pixel.
 class Sampler {
 public:
-    Sampler(std::uint64_t seed, int x, int y, std::uint32_t index) : index_(index) {
-        const std::uint32_t folded = sobol::hash(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32));
-        pixel_ = sobol::hash(sobol::hash(folded, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
-    }
+    Sampler() = default;
+    Sampler(std::uint64_t seed, int x, int y, std::uint32_t index)
+        : key_(sobol::hash(sobol::hash(folded(seed), static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y))), index_(index) {}
+    Sampler(std::uint32_t key, std::uint32_t index) : key_(key), index_(index) {}
 
-    // Two numbers in [0, 1). `bounce` counts the vertices of the path; `part` of `parts` stratifies within the sample (light samples).
-    Vec2 pair(Draw what, std::uint32_t bounce = 0, std::uint32_t part = 0, std::uint32_t parts = 1) const {
-        const std::uint32_t key = sobol::hash(pixel_, static_cast<std::uint32_t>(what) + kPairsAVertex * bounce);
-        const std::uint32_t i = sobol::scrambled(index_ * parts + part, key);
+    // Two numbers in [0, 1).
+    Vec2 pair(const PairOf& draw) const {
+        const std::uint32_t key = sobol::hash(key_, draw.which());
+        const std::uint32_t i = sobol::scrambled(index_ * draw.parts + draw.part, key);
         const std::uint32_t x = sobol::scrambled(sobol::reversed(i), sobol::hash(key, 1));
         const std::uint32_t y = sobol::scrambled(sobol::second(i), sobol::hash(key, 2));
         return {sobol::unit(x), sobol::unit(y)};
     }
+    Vec2 pair(Draw what, std::uint32_t bounce = 0, std::uint32_t part = 0, std::uint32_t parts = 1) const { return pair(PairOf{what, bounce, part, parts}); }
 
+    // What the pixel's numbers depend on beside `index`.
+    std::uint32_t key() const { return key_; }
     std::uint32_t index() const { return index_; }
+    static std::uint32_t folded(std::uint64_t seed) { return sobol::hash(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)); }
 
 private:
-    std::uint32_t pixel_;
-    std::uint32_t index_;
+    std::uint32_t key_ = 0;
+    std::uint32_t index_ = 0;
 };
 
 }  // namespace whittle

@@ -9,9 +9,8 @@
 #include <cmath>
 #include <optional>
 
-#include <sleef.h>
-
 #include "csg/base/vec.h"
+#include "tracer/light/circle.h"
 
 namespace whittle {
 
@@ -85,9 +84,8 @@ inline Vec2 on_disc(Vec2 u) {
     const Vec2 o{2 * u.x - 1, 2 * u.y - 1};
     if (o.x == 0 && o.y == 0) return {0, 0};
     const bool wide = std::abs(o.x) > std::abs(o.y);
-    const double r = wide ? o.x : o.y, turns = wide ? 0.25 * (o.y / o.x) : 0.5 - 0.25 * (o.x / o.y);
-    const Sleef_double_2 sc = Sleef_cinz_sincospid1_u05purec(turns);
-    return {r * sc.y, r * sc.x};
+    const double r = wide ? o.x : o.y, turns = wide ? 0.125 * (o.y / o.x) : 0.25 - 0.125 * (o.x / o.y);
+    return r * on_circle(turns);
 }
 // Around +z with density cos/pi.
 inline Vec3 on_cosine_hemisphere(Vec2 u) {
@@ -97,8 +95,8 @@ inline Vec3 on_cosine_hemisphere(Vec2 u) {
 // Around +z, equal solid angles, up to the angle whose 1 - cosine is given.
 inline Vec3 on_cap(Vec2 u, double one_minus_cos) {
     const double h = u.x * one_minus_cos, r = std::sqrt(std::max(0.0, h * (2 - h)));
-    const Sleef_double_2 sc = Sleef_cinz_sincospid1_u05purec(2 * u.y);
-    return {r * sc.y, r * sc.x, 1 - h};
+    const Vec2 p = r * on_circle(u.y);
+    return {p.x, p.y, 1 - h};
 }
 
 // The microfacet normal seen from `v` (local frame, v.z > 0) at a place of the disc that the visible ones make, evenly by area.

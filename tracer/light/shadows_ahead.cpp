@@ -34,21 +34,26 @@ void ShadowsAhead::ask(const FirstBorder* firsts, const CameraSample* samples, i
 }
 
 void ShadowsAhead::ask_lamp(std::size_t lamp, int part, int parts, const FirstBorder* firsts, const CameraSample* samples, int count) {
-    std::size_t asked = 0;
+    std::size_t met = 0, asked = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
         if (!firsts[k].met) continue;
+        met_[met] = k;
+        points_[met] = firsts[k].border.point;
+        samplers_[met++] = samples[k].sampler;
+    }
+    direct_.sample_many(lamp, points_.data(), samplers_.data(), met, part, parts, lights_.data());
+    for (std::size_t i = 0; i < met; ++i) {
+        const std::size_t k = met_[i];
         const Border& border = firsts[k].border;
-        const CameraSample& s = samples[k];
-        const Sampler sampler(stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index));
-        const LightSample light = direct_.sample(lamp, border.point, sampler, 0, part, parts);
+        const LightSample& light = lights_[i];
         const bool dark = !(glm::dot(border.normal, light.direction) > 0) || (light.radiance == Vec3(0) && !stage_.needs.dark_lamps);
         const std::size_t answer = k * slots_ + counts_[k]++;
-        answers_[answer] = {border.point, s.ray.time, light, static_cast<std::uint32_t>(lamp), static_cast<std::uint32_t>(part), !dark, false};
+        answers_[answer] = {border.point, samples[k].ray.time, light, static_cast<std::uint32_t>(lamp), static_cast<std::uint32_t>(part), !dark, false};
         if (dark) continue;
         Ray& ray = rays_[asked];
         ray.origin = border.point;
         ray.direction = light.direction;
-        ray.time = s.ray.time;
+        ray.time = samples[k].ray.time;
         ray.departure = border.leaving.parts ? &border.leaving.events[0] : nullptr;
         distances_[asked] = light.distance;
         owners_[asked++] = answer;

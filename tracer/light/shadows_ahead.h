@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "tracer/light/camera_samples.h"
 #include "tracer/light/direct.h"
-#include "tracer/light/integrator.h"
 
 namespace whittle {
 
@@ -30,6 +30,10 @@ private:
     std::size_t slots_ = 0;  // rays a sample; 0: none are asked ahead
     std::vector<ShadowAnswer> answers_;
     std::array<std::size_t, MetTogether::kMost> counts_{};
+    std::array<std::size_t, MetTogether::kMost> met_;  // samples
+    std::array<Vec3, MetTogether::kMost> points_;      // of those met
+    std::array<Sampler, MetTogether::kMost> samplers_;
+    std::array<LightSample, MetTogether::kMost> lights_;
     std::array<Ray, MetTogether::kMost> rays_;
     std::array<double, MetTogether::kMost> distances_;
     std::array<std::size_t, MetTogether::kMost> owners_;  // by ray: its answer

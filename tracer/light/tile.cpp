@@ -12,6 +12,7 @@
 
 #include "tracer/image/tone.h"
 #include "tracer/light/blocks.h"
+#include "tracer/light/camera_samples.h"
 #include "tracer/light/edges.h"
 #include "tracer/light/integrator.h"
 #include "tracer/light/planes.h"
@@ -61,7 +62,7 @@ class TileDrawer::Work {
 public:
     Work(const Stage& stage, Scratch& scratch, RenderCounters& counters)
         : stage_(stage), scratch_(scratch), counters_(counters), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
-          shadows_(stage, scratch, counters) {
+          camera_(stage, counters), shadows_(stage, scratch, counters) {
         if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
     }
 
@@ -86,47 +87,35 @@ public:
 private:
     // Sample `index` of at most kMostRays pixels.
     void draw_sample(std::span<const PixelPlace> pixels, int index, Film& film) {
-        aim(pixels, index);
+        camera_.draw(pixels, index);
         if (stage_.options.look == Look::kShaded) meet(static_cast<int>(pixels.size()));
-        if (edges_) edges_->find(places_.data(), static_cast<int>(pixels.size()), edge_.data());
+        if (edges_) find_edges();
         for (std::size_t k = 0; k < pixels.size(); ++k) {
-            CameraLight light = stage_.options.look == Look::kXray ? xray_light(rays_[k]) : light_of(k);
+            CameraLight light = stage_.options.look == Look::kXray ? xray_light(camera_.rays()[k]) : light_of(k);
             if (edges_ && edge_[k]) light.radiance *= kEdgeShare;
-            add_sample(light, weights_[k], film.pixels[film.index(pixels[k].x, pixels[k].y)]);
+            add_sample(light, camera_.samples()[k].weight, film.pixels[film.index(pixels[k].x, pixels[k].y)]);
         }
     }
 
-    Sampler sampler_of(const CameraSample& s) const { return {stage_.options.seed, s.x, s.y, static_cast<std::uint32_t>(s.index)}; }
-
-    void aim(std::span<const PixelPlace> pixels, int index) {
-        for (std::size_t k = 0; k < pixels.size(); ++k) {
-            const auto [x, y] = pixels[k];
-            const Sampler sampler(stage_.options.seed, x, y, static_cast<std::uint32_t>(index));
-            // A single sample stands in the middle, so that the picture is the one the planes show.
-            FilterSampler::Place place{Vec2(0), 1};
-            if (stage_.options.samples > 1) place = stage_.filter.place(sampler.pair(Draw::kPixel));
-            places_[k] = {x + 0.5 + place.offset.x, y + 0.5 + place.offset.y};
-            samples_[k] = camera_sample(stage_, x, y, index, places_[k].x, places_[k].y, sampler);
-            weights_[k] = place.weight;
-        }
-        for (std::size_t k = 0; k < pixels.size(); ++k) rays_[k] = samples_[k].ray;
-        if (stage_.distributes()) counters_.draws += (static_cast<std::uint64_t>(stage_.needs.lens) + static_cast<std::uint64_t>(stage_.needs.shutter)) * pixels.size();
+    void find_edges() {
+        for (std::size_t k = 0; k < camera_.samples().size(); ++k) places_[k] = {camera_.samples()[k].px, camera_.samples()[k].py};
+        edges_->find(places_.data(), static_cast<int>(camera_.samples().size()), edge_.data());
     }
 
     void meet(int count) {
-        if (stage_.packets) stage_.world.meet(rays_.data(), count, scratch_, met_);
+        if (stage_.packets) stage_.world.meet(camera_.rays().data(), count, scratch_, met_);
         for (int k = 0; k < count; ++k) {
             FirstBorder& first = firsts_[static_cast<std::size_t>(k)];
-            const Ray& ray = rays_[static_cast<std::size_t>(k)];
+            const Ray& ray = camera_.rays()[static_cast<std::size_t>(k)];
             first.met = stage_.packets ? stage_.world.first(ray, met_, k, scratch_, first.border)
                                        : stage_.world.next(ray, nullptr, std::numeric_limits<double>::infinity(), scratch_, first.border);
         }
-        shadows_.ask(firsts_.data(), samples_.data(), count);
+        shadows_.ask(firsts_.data(), camera_.samples().data(), count);
     }
 
     CameraLight light_of(std::size_t k) {
         const FirstBorder& first = firsts_[k];
-        CameraLight light = integration_.radiance(samples_[k], sampler_of(samples_[k]), &first, shadows_.of(static_cast<int>(k)));
+        CameraLight light = integration_.radiance(camera_.samples()[k], &first, shadows_.of(static_cast<int>(k)));
         if (stage_.shows_scheme() && light.coverage == 0) light.radiance = background_;
         return light;
     }
@@ -144,13 +133,11 @@ private:
     Spans spans_;
     Vec3 background_{0};
     std::unique_ptr<EdgeFinder> edges_;
+    CameraSampler camera_;
     MetTogether met_;
     ShadowsAhead shadows_;
     std::vector<FirstBorder> firsts_ = std::vector<FirstBorder>(kMostRays);
-    std::array<CameraSample, kMostRays> samples_;
-    std::array<Ray, kMostRays> rays_;
     std::array<Vec2, kMostRays> places_;
-    std::array<double, kMostRays> weights_;
     std::array<bool, kMostRays> edge_;
 };
 
