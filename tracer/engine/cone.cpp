@@ -1,14 +1,13 @@
 #include "tracer/engine/cone.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <span>
 
 #include <sleef.h>
 
-#include "tracer/engine/program.h"
+#include "tracer/engine/cone_formula.h"
 
 namespace whittle {
 
@@ -17,200 +16,14 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// More half-spaces than this about one cone: no single edge stands for what is there.
-constexpr std::size_t kMostSides = 96;
-
 // A root this near to the hit, relative to it, is the hit.
 constexpr double kSameDepth = 1e-9;
-
-double value(const LinePolynomial<double>& p, double t) {
-    double sum = 0;
-    for (int i = p.degree; i >= 0; --i) sum = sum * t + p.c[static_cast<std::size_t>(i)];
-    return sum;
-}
-
-// A half-space about the cone: its polynomial on the axis and on four lines along the cone's rim.
-struct Side {
-    std::uint32_t packed = 0;
-    LinePolynomial<double> axis;
-    std::array<LinePolynomial<double>, 4> rim;  // +u, -u, +v, -v
-
-    bool inside(double t) const { return (packed & 1) != 0 ? value(axis, t) >= 0 : value(axis, t) <= 0; }
-};
-
-// Where the edge of a side lies in the section at t: `offset` from the axis in radii (negative: the axis is outside), outward along (u, v).
-struct EdgePlace {
-    double offset = 0;
-    double u = 0, v = 0;
-    double t = 0;
-};
-
-std::optional<EdgePlace> edge_place(const Side& side, double t) {
-    const double gu = 0.5 * (value(side.rim[0], t) - value(side.rim[1], t)), gv = 0.5 * (value(side.rim[2], t) - value(side.rim[3], t));
-    const double slope = std::sqrt(gu * gu + gv * gv);
-    if (!(slope > 0)) return std::nullopt;
-    const double sign = (side.packed & 1) != 0 ? -1 : 1;
-    return EdgePlace{-sign * value(side.axis, t) / slope, sign * gu / slope, sign * gv / slope, t};
-}
-
-// The little formula about one cone: groups and leaves that it may meet.
-struct Part {
-    bool leaf = false;
-    bool is_and = false;
-    bool negated = false;
-    bool constant = false, constant_value = false;
-    std::size_t first = 0, count = 0;  // of `children`
-};
-
-class ConeFormula {
-public:
-    ConeFormula(const Program& program, const Cone& cone, double t_most) : program_(program), cone_(cone), t_most_(t_most) {
-        const Vec3 d = cone.axis.direction;
-        const Vec3 other = std::abs(d.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-        u = glm::normalize(glm::cross(d, other));
-        v = glm::cross(d, u);
-        slab_ = slab_ray({cone.axis.origin.x, cone.axis.origin.y, cone.axis.origin.z}, {d.x, d.y, d.z});
-        root_ = gather(program.root);
-    }
-
-    // False: something is here that cones do not divide.
-    bool readable() const { return readable_ && sides.size() <= kMostSides; }
-    // Is the axis's point at t inside, with sides `a` and `b` (indices, or none) on the given sides?
-    bool inside(double t, std::size_t a, bool a_inside, std::size_t b, bool b_inside) const { return part_inside(root_, t, a, a_inside, b, b_inside); }
-    bool departs_from(const Side& side) const {
-        const Departure* d = cone_.axis.departure;
-        return d && std::find(d->classes.begin(), d->classes.begin() + d->count, side.packed >> 1) != d->classes.begin() + d->count;
-    }
-
-    std::vector<Side> sides;
-    Vec3 u{0}, v{0};
-    static constexpr std::size_t kNone = ~std::size_t{0};
-
-private:
-    // Does the cone come near the box? Grown by the radius where the cone is widest near it.
-    template <class Lo>
-    bool meets(const Lo& lo, const Lo& hi) const {
-        double far2 = 0;
-        for (int i = 0; i < 3; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            const double reach = std::max(std::abs(static_cast<double>(lo[k]) - cone_.axis.origin[i]), std::abs(static_cast<double>(hi[k]) - cone_.axis.origin[i]));
-            far2 += reach * reach;
-        }
-        const double radius = cone_.start + cone_.spread * std::min(std::sqrt(far2), t_most_);
-        if (!std::isfinite(radius)) return true;
-        std::array<double, 3> low, high;
-        for (std::size_t k = 0; k < 3; ++k) low[k] = static_cast<double>(lo[k]) - radius, high[k] = static_cast<double>(hi[k]) + radius;
-        double from = 0, to = 0;
-        return slab_interval(low, high, slab_, from, to) && to >= 0 && from <= t_most_;
-    }
-    bool meets(const Bounds& b) const { return meets(std::array<double, 3>{b.lo.x, b.lo.y, b.lo.z}, std::array<double, 3>{b.hi.x, b.hi.y, b.hi.z}); }
-
-    std::size_t add(const Part& part) {
-        parts_.push_back(part);
-        return parts_.size() - 1;
-    }
-
-    std::size_t gather(Ref ref) {
-        if (!readable_ || sides.size() > kMostSides) return add({});
-        return ref.is_leaf() ? gather_leaf(program_.leaves[ref.index()]) : gather_group(program_.groups[ref.index()]);
-    }
-
-    std::size_t gather_leaf(const Leaf& leaf) {
-        if (leaf.kind != FormulaKind::kCell) {
-            const bool whole = leaf.kind == FormulaKind::kEverything;
-            if (leaf.kind != FormulaKind::kNothing && !whole) readable_ = false;
-            return add({true, false, false, true, whole != leaf.negated, 0, 0});
-        }
-        Part part{true, true, leaf.negated, false, false, 0, leaf.count};
-        std::vector<std::size_t> own;
-        for (std::uint32_t i = 0; i < leaf.count; ++i) own.push_back(side_of(program_.half_spaces[leaf.first + i]));
-        part.first = children_.size();
-        children_.insert(children_.end(), own.begin(), own.end());
-        return add(part);
-    }
-
-    std::size_t gather_group(const Group& group) {
-        if (group.bounded && !meets(group.box)) return add({true, false, false, true, group.outside_value, 0, 0});
-        std::vector<std::size_t> own;
-        for (std::uint32_t i = 0; i < group.plain_count; ++i) own.push_back(gather(program_.refs[group.first_plain + i]));
-        if (group.item_count > 0) gather_items(group, group.hierarchy, own);
-        Part part{false, group.is_and, false, false, false, children_.size(), own.size()};
-        children_.insert(children_.end(), own.begin(), own.end());
-        return add(part);
-    }
-
-    void gather_items(const Group& group, std::uint32_t at, std::vector<std::size_t>& own) {
-        const BoxNode& node = program_.nodes[at];
-        if (!meets(node.lo, node.hi)) return;
-        if (node.count == 0) {
-            gather_items(group, node.first, own);
-            gather_items(group, node.first + 1, own);
-            return;
-        }
-        for (std::uint32_t i = 0; i < node.count; ++i) {
-            const Ref ref = program_.refs[node.first + i];
-            if (ref.is_leaf()) {
-                const FloatBox& box = program_.leaf_boxes[ref.index()];
-                if (!meets(box.lo, box.hi)) continue;
-            }
-            own.push_back(gather(ref));
-        }
-    }
-
-    std::size_t side_of(HalfSpace half_space) {
-        for (std::size_t i = 0; i < sides.size(); ++i)
-            if (sides[i].packed == half_space.packed) return i;
-        const Support& support = program_.classes[half_space.id()];
-        const Frame& frame = program_.frames[support.frame];
-        if (frame.motion != 0) readable_ = false;
-        Side side;
-        side.packed = half_space.packed;
-        if (is_turned(support.kind)) {
-            readable_ = false;
-            sides.push_back(side);
-            return sides.size() - 1;
-        }
-        const auto along = [&](Vec3 off) {
-            const Vec3 o = cone_.axis.origin + cone_.start * off;
-            return support_polynomial(support, line_in_frame<double>(frame, {o.x, o.y, o.z}, cone_.axis.direction + cone_.spread * off));
-        };
-        side.axis = along(Vec3(0));
-        side.rim = {along(u), along(-u), along(v), along(-v)};
-        sides.push_back(side);
-        return sides.size() - 1;
-    }
-
-    bool part_inside(std::size_t at, double t, std::size_t a, bool a_inside, std::size_t b, bool b_inside) const {
-        const Part& part = parts_[at];
-        if (part.constant) return part.constant_value;
-        bool all = true, any = false;
-        for (std::size_t i = 0; i < part.count; ++i) {
-            const std::size_t child = children_[part.first + i];
-            bool in = false;
-            if (!part.leaf) in = part_inside(child, t, a, a_inside, b, b_inside);
-            else if (child == a) in = a_inside;
-            else if (child == b) in = b_inside;
-            else in = sides[child].inside(t);
-            all = all && in;
-            any = any || in;
-        }
-        return (part.is_and ? all : any) != part.negated;
-    }
-
-    const Program& program_;
-    const Cone& cone_;
-    double t_most_;
-    SlabRay slab_;
-    std::vector<Part> parts_;
-    std::vector<std::size_t> children_;
-    std::size_t root_ = 0;
-    bool readable_ = true;
-};
 
 // Roots of the polynomial, and where it turns around (a quadratic's vertex). Of a quartic neither: tori have no edges here.
 struct Places {
     std::array<double, 2> roots{kInfinity, kInfinity};
     double turn = kInfinity;
+    bool turns() const { return turn > 0 && turn < kInfinity; }
 };
 
 Places places_of(const LinePolynomial<double>& p) {
@@ -219,49 +32,34 @@ Places places_of(const LinePolynomial<double>& p) {
     if (p.degree != 2 || p.c[2] == 0) return places;
     places.turn = -0.5 * p.c[1] / p.c[2];
     const double rest = places.turn * places.turn - p.c[0] / p.c[2];
-    if (rest >= 0) places.roots = {places.turn - std::sqrt(rest), places.turn + std::sqrt(rest)};
+    if (rest < 0) return places;
+    const double half = std::sqrt(rest);
+    places.roots = {places.turn - half, places.turn + half};
     return places;
 }
 
-// The edge nearest to the axis.
-class EdgeSearch {
-public:
-    EdgeSearch(const ConeFormula& formula, double t_hit) : formula_(formula), t_most_(t_hit * (1 + kSameDepth)) {}
-
-    void look_at(std::size_t own) {
-        if (formula_.departs_from(formula_.sides[own])) return;
-        const Places places = places_of(formula_.sides[own].axis);
-        for (double t : places.roots)
-            if (t > 0 && t <= t_most_) ends_of_face(own, t);
-        const bool first_seen = places.roots[0] < kInfinity ? places.roots[0] <= t_most_ : places.turn <= t_most_;
-        if (places.turn > 0 && places.turn < kInfinity && first_seen) silhouette(own, places.turn);
-    }
-
-    std::optional<EdgePlace> nearest;
-
-private:
-    // On the face `own` at t: does it begin or end at another side?
-    void ends_of_face(std::size_t own, double t) {
-        const auto on_face = [&](std::size_t other, bool in) {
-            return formula_.inside(t, own, true, other, in) != formula_.inside(t, own, false, other, in);
-        };
-        for (std::size_t k = 0; k < formula_.sides.size(); ++k) {
-            if (k == own) continue;
-            const std::optional<EdgePlace> place = edge_place(formula_.sides[k], t);
-            if (place && near(*place) && on_face(k, true) != on_face(k, false)) nearest = place;
-        }
-    }
-
-    void silhouette(std::size_t own, double t) {
-        const std::optional<EdgePlace> place = edge_place(formula_.sides[own], t);
-        if (place && near(*place) && formula_.inside(t, own, true, ConeFormula::kNone, false) != formula_.inside(t, own, false, ConeFormula::kNone, false)) nearest = place;
-    }
-
-    bool near(const EdgePlace& place) const { return std::abs(place.offset) < (nearest ? std::abs(nearest->offset) : 1.0); }
-
-    const ConeFormula& formula_;
-    double t_most_;
+// Of the disc: the points where a face is met about t.
+struct Face {
+    double t;
+    std::uint64_t mask;
 };
+
+// The one of some points that is nearest to their middle, which itself may lie among others.
+DiscPoint middle_of(std::uint64_t mask) {
+    const auto& points = disc_points();
+    const auto each = [&](auto use) {
+        for (std::uint64_t left = mask; left != 0; left &= left - 1) use(points[static_cast<std::size_t>(std::countr_zero(left))]);
+    };
+    DiscPoint sum, nearest;
+    each([&](const DiscPoint& p) { sum.x += p.x, sum.y += p.y; });
+    const int count = std::popcount(mask);
+    double least = kInfinity;
+    each([&](const DiscPoint& p) {
+        const double away = std::hypot(p.x - sum.x / count, p.y - sum.y / count);
+        if (away < least) least = away, nearest = p;
+    });
+    return nearest;
+}
 
 }  // namespace
 
@@ -272,24 +70,123 @@ DiscCut cut_disc(double offset) {
     return {area / kPi, 2.0 / 3 * half * half * half / area};
 }
 
-ConeSplit split_cone(const Program& program, const Cone& cone, double t_hit) {
-    ConeSplit split;
-    if (program.empty || program.everything) return split;
-    const ConeFormula formula(program, cone, t_hit);
-    if (!formula.readable()) return split;
-    EdgeSearch search(formula, t_hit);
-    for (std::size_t own = 0; own < formula.sides.size(); ++own) search.look_at(own);
-    if (!search.nearest) return split;
-    const EdgePlace& edge = *search.nearest;
+namespace {
+
+struct DiscPart {
+    double share;
+    DiscPoint middle;
+};
+
+// The part inside the edge, or the one outside.
+DiscPart cut_by(const ConeEdge& edge, bool inner) {
+    const bool larger = inner == (edge.offset >= 0);
     const DiscCut cut = cut_disc(std::abs(edge.offset));
-    if (!(cut.share > 0)) return split;
-    // Towards the edge: outward where the axis is inside.
-    const Vec3 towards = (edge.offset >= 0 ? 1.0 : -1.0) * (edge.u * formula.u + edge.v * formula.v);
-    split.share = 1 - cut.share;
-    split.t = edge.t;
-    split.there = cut.centroid * towards;
-    split.here = -cut.centroid * cut.share / (1 - cut.share) * towards;
-    return split;
+    const double out = (inner ? -1 : 1) * (larger ? cut.centroid * cut.share / (1 - cut.share) : cut.centroid);
+    return {larger ? 1 - cut.share : cut.share, {out * edge.u, out * edge.v}};
+}
+
+}  // namespace
+
+// The faces about the axis, and which points of the disc meet which of them first.
+class ConeSplitter::Search {
+public:
+    // False: nothing divides the cone.
+    bool look(const Program& program, const Cone& cone, double t_hit) {
+        faces_.clear();
+        t_most_ = t_hit * (1 + kSameDepth);
+        if (program.empty || program.everything || !formula_.read(program, cone, t_hit)) return false;
+        for (std::size_t own = 0; own < formula_.sides.size(); ++own)
+            if (!formula_.sides[own].departs) look_at(own);
+        std::stable_sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) { return a.t < b.t; });
+        return !formula_.edges.empty();
+    }
+
+    std::span<const Face> faces() const { return faces_; }
+
+    // The edge that tells exactly these points from the others; null: there is none.
+    const ConeEdge* edge_of(std::uint64_t mask) const {
+        const ConeEdge* nearest = nullptr;
+        for (const ConeEdge& e : formula_.edges)
+            if ((e.mask == mask || e.mask == ~mask) && (!nearest || e.t < nearest->t)) nearest = &e;
+        return nearest;
+    }
+
+    // The place (x, y) of the disc in the section at t.
+    Vec3 in_section(double t, const DiscPoint& at) const {
+        const ConeSection s = formula_.section(t);
+        return (s.uu * at.x + s.uv * at.y) * formula_.u + (s.uv * at.x + s.vv * at.y) * formula_.v;
+    }
+
+private:
+    void look_at(std::size_t own) {
+        const ConeSide& side = formula_.sides[own];
+        const Places places = places_of(side.axis);
+        const bool met = places.roots[0] < kInfinity;
+        // Of what bends away only the points within its silhouette meet the face.
+        std::uint64_t within = ~std::uint64_t{0};
+        if (places.turns() && (met ? places.roots[0] : places.turn) <= t_most_) {
+            const ConeEdge silhouette = formula_.edge(own, formula_.section(places.turn), {places.turn, 0, 0});
+            within = bends_around(own) ? silhouette.mask : ~silhouette.mask;
+            if (std::abs(silhouette.offset) < 1) formula_.edges.push_back(silhouette);
+            if (!met) add(own, {places.turn, 0, 0}, within);
+        }
+        for (double t : places.roots)
+            if (t > 0 && t <= t_most_) add(own, touching(side, t, std::abs(places.turn - t)), within);
+    }
+
+    // The plane that touches the side at t. Where it leans steeply the side bends away before: never by more than `most` within the disc.
+    ConeFormula::Leaning touching(const ConeSide& side, double t, double most) const {
+        const double along = slope_at(side.axis, t);
+        if (along == 0) return {t, 0, 0};
+        ConeFormula::Leaning plane{t, -value_at(side.along_u, t) / along, -value_at(side.along_v, t) / along};
+        const ConeSection s = formula_.section(t);
+        const double lean = std::hypot(s.uu * plane.u + s.uv * plane.v, s.uv * plane.u + s.vv * plane.v);
+        if (lean > most) plane.u *= most / lean, plane.v *= most / lean;
+        return plane;
+    }
+
+    // Is the axis inside the side between the roots, as it is inside a ball?
+    bool bends_around(std::size_t own) const { return formula_.sides[own].inside_sign() * formula_.sides[own].axis.c[2] > 0; }
+
+    void add(std::size_t own, const ConeFormula::Leaning& plane, std::uint64_t within) {
+        if (within == 0) return;
+        const std::uint64_t mask = formula_.face(own, plane) & within;
+        if (mask != 0) faces_.push_back({plane.t, mask});
+    }
+
+    ConeFormula formula_;
+    std::vector<Face> faces_;
+    double t_most_ = 0;
+};
+
+ConeSplitter::ConeSplitter() : search_(std::make_unique<Search>()) {}
+ConeSplitter::~ConeSplitter() = default;
+
+ConeParts ConeSplitter::split(const Program& program, const Cone& cone, double t_hit) {
+    ConeParts parts;
+    if (!search_->look(program, cone, t_hit)) return parts;
+    // Each point to the face that it meets first, the rest to none.
+    std::uint64_t left = ~std::uint64_t{0};
+    std::array<Face, ConeParts::kMost> groups;
+    std::size_t count = 0;
+    Face largest{0, 0};
+    for (const Face& face : search_->faces()) {
+        const Face first{face.t, face.mask & left};
+        if (first.mask == 0 || count + 1 == groups.size()) continue;
+        groups[count++] = first;
+        left &= ~first.mask;
+        if (std::popcount(first.mask) > std::popcount(largest.mask)) largest = first;
+    }
+    if (count == 0) return parts;
+    if (left != 0) groups[count++] = {largest.t, left};
+    if (count < 2) return parts;
+    const ConeEdge* edge = count == 2 ? search_->edge_of(groups[0].mask) : nullptr;
+    for (std::size_t k = 0; k < count; ++k) {
+        ConePart& part = parts.part[parts.count++];
+        const DiscPart disc = edge ? cut_by(*edge, groups[k].mask == edge->mask) : DiscPart{std::popcount(groups[k].mask) / double{kDiscPoints}, middle_of(groups[k].mask)};
+        part = {disc.share, groups[k].t, search_->in_section(groups[k].t, disc.middle)};
+    }
+    return parts;
 }
 
 }  // namespace whittle

@@ -55,16 +55,18 @@ FilterSampler::FilterSampler(FilterKind kind) {
     Table& t = table_;
     t.radius = filter_radius(kind);
     t.width = 2 * t.radius / kCells;
-    double total = 0, signed_total = 0;
+    double total = 0, signed_total = 0, of_squares = 0;
     for (int i = 0; i < kCells; ++i) {
-        const double value = filter_profile(kind, -t.radius + (i + 0.5) * t.width);
+        const double x = -t.radius + (i + 0.5) * t.width, value = filter_profile(kind, x);
         total += std::abs(value);
         signed_total += value;
+        of_squares += value * x * x;
         t.cumulative[static_cast<std::size_t>(i + 1)] = total;
         t.weights[static_cast<std::size_t>(i)] = value < 0 ? -1 : 1;
     }
     for (double& c : t.cumulative) c /= total;
     balance_ = signed_total / total;
+    deviation_ = std::sqrt(of_squares / signed_total);
     const double guesses = static_cast<double>(t.first_cells.size());
     for (std::size_t g = 0; g < t.first_cells.size(); ++g) t.first_cells[g] = static_cast<std::int32_t>(cell_of(static_cast<double>(g) / guesses, 0));
 }

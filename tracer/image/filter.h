@@ -43,6 +43,8 @@ public:
     const Table& table() const { return table_; }
     // Integral of the filter over integral of |filter|, both axes: the expected weight of a sample.
     double expected_weight() const { return balance_ * balance_; }
+    // Standard deviation of the filter along an axis, in pixels.
+    double deviation() const { return deviation_; }
 
 private:
     struct Axis { double offset, weight; };
@@ -50,7 +52,7 @@ private:
     std::size_t cell_of(double u, std::size_t first) const;
 
     Table table_;
-    double balance_ = 1;
+    double balance_ = 1, deviation_ = 0;
 };
 
 }  // namespace whittle

@@ -4,7 +4,6 @@
 
 #include <sleef.h>
 
-#include "tracer/engine/cone.h"
 #include "tracer/light/lanes.h"
 
 namespace whittle {
@@ -102,24 +101,37 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
     return Vec3(0);
 }
 
-Vec3 DirectLight::cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample) const {
-    // The disc of the same solid angle around the middle.
-    const double angle = lamp.kind == LightKind::kParallelogram ? lamp.area * std::abs(glm::dot(lamp.normal, sample.direction)) / (sample.distance * sample.distance)
-                                                                : 1 / sample.density;
-    const double cosine = std::max(0.0, 1 - angle / (2 * kPi));
+Vec3 DirectLight::cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample, const Footprint& footprint) const {
     Cone cone;
     cone.axis.origin = border.point;
     cone.axis.direction = sample.direction;
     cone.axis.departure = stage_.world.divided() ? nullptr : &border.leaving.events[0];
-    // Lamps that fill the sky are cut down to a wide cone.
-    constexpr double kLeastCosine = 0.1;
-    cone.spread = std::sqrt(1 - cosine * cosine) / std::max(kLeastCosine, cosine);
-    const ConeSplit split = split_cone(*stage_.program, cone, sample.distance);
-    const auto open = [&](Vec3 off) {
-        return transmittance(border, glm::normalize(sample.direction + cone.spread * off), sample.distance, 0, ClearShadows::kLetThrough);
-    };
-    if (!split.divided()) return open(Vec3(0));
-    return split.share * open(split.here) + (1 - split.share) * open(split.there);
+    cone.near_u = footprint.u;
+    cone.near_v = footprint.v;
+    cone.reach = sample.distance;
+    if (lamp.kind == LightKind::kParallelogram) {
+        // The ellipse of equal deviations.
+        cone.far_u = lamp.u / std::sqrt(3.0);
+        cone.far_v = lamp.v / std::sqrt(3.0);
+    } else if (lamp.extended()) {
+        // The disc of the same solid angle. Lamps that fill the sky are cut down to a wide cone.
+        constexpr double kLeastCosine = 0.1;
+        const double cosine = std::max(0.0, 1 - 1 / (2 * kPi * sample.density));
+        cone.spread = std::sqrt(1 - cosine * cosine) / std::max(kLeastCosine, cosine);
+    }
+    const auto open = [&](Vec3 direction) { return transmittance(border, glm::normalize(direction), sample.distance, 0, ClearShadows::kLetThrough); };
+    const ConeParts parts = cones_->split(*stage_.program, cone, sample.distance);
+    if (!parts.divided()) return open(sample.direction);
+    Vec3 sum(0);
+    double asked = 0;
+    for (const ConePart& part : parts) {
+        const Vec3 direction = part.t * sample.direction + part.off;
+        // Parts that lie behind the surface itself are not asked.
+        if (!(glm::dot(direction, border.normal) > 0)) continue;
+        sum += part.share * open(direction);
+        asked += part.share;
+    }
+    return asked > 0 ? sum / asked : open(sample.direction);
 }
 
 bool DirectLight::lamp_seen(const Ray& ray, double t_max, LightMet& met) const {

@@ -1,6 +1,9 @@
 // direct.h — light that comes straight from a lamp: shadows, lamps seen, light let through.
 #pragma once
 
+#include <memory>
+
+#include "tracer/engine/cone.h"
 #include "tracer/light/bsdf.h"
 #include "tracer/light/sampler.h"
 #include "tracer/light/stage.h"
@@ -36,9 +39,15 @@ struct AnswersAhead {
     std::size_t count = 0;
 };
 
+// The ellipse on a surface that a cone of rays covers: its half axes.
+struct Footprint {
+    Vec3 u{0}, v{0};
+};
+
 class DirectLight {
 public:
-    DirectLight(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), scratch_(scratch), counters_(counters) {}
+    DirectLight(const Stage& stage, Scratch& scratch, RenderCounters& counters)
+        : stage_(stage), scratch_(scratch), counters_(counters), cones_(stage.integrator == Integrator::kCone ? new ConeSplitter : nullptr) {}
 
     // Sample `part` of `parts` of lamp `number`, from `point`.
     LightSample sample(std::size_t number, Vec3 point, const Sampler& sampler, int bounce, int part, int parts) const;
@@ -50,8 +59,9 @@ public:
     int parts_of(const LightSource& lamp) const;
     // Share of light that comes to the border from `direction`, `distance` away: 0 or 1 among opaque matter.
     Vec3 transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const;
-    // The same from all of a lamp, whose middle is `sample`: an edge that crosses the cone to it hides one part.
-    Vec3 cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample) const;
+    // The same from all of a lamp, whose middle is `sample`, to all places of a footprint: edges that cross the cone between them hide parts.
+    // Requires: the integrator is kCone.
+    Vec3 cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample, const Footprint& footprint) const;
     // Answers to take where the same is asked, until others are given.
     void know(AnswersAhead ahead) { ahead_ = ahead; }
     // Is a lamp nearer than t_max on the ray?
@@ -63,6 +73,7 @@ private:
     const Stage& stage_;
     Scratch& scratch_;
     RenderCounters& counters_;
+    std::unique_ptr<ConeSplitter> cones_;  // null: rays have no width
     AnswersAhead ahead_;
 };
 

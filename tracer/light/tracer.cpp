@@ -1,7 +1,7 @@
 #include "tracer/light/tracer.h"
 
+#include <cmath>
 #include <limits>
-#include <utility>
 
 #include "tracer/engine/cone.h"
 
@@ -20,15 +20,18 @@ constexpr double kRoughImage = 0.25;
 // Radius of the disc that stands for a GGX lobe in cone tracing, at distance 1 and per alpha: the disc of half the lobe's light lies within.
 constexpr double kLobeRadius = 2;
 
-// The disc of a pixel's area around its ray.
+// The disc around a pixel's ray that spreads places as the filter does: of a uniform disc the deviation along a line is half the radius.
 Cone pixel_cone(const Stage& stage, const Ray& ray) {
-    const double radius = 2 * stage.lens.half_height / stage.options.height / std::sqrt(kPi);
+    const double radius = 2 * stage.filter.deviation() * (2 * stage.lens.half_height / stage.options.height);
     Cone cone;
     cone.axis = ray;
     if (stage.lens.orthographic) cone.start = radius;
     else cone.spread = radius * glm::dot(ray.direction, stage.lens.forward);
     return cone;
 }
+
+// Surfaces that are seen at more than this slant (cosine) look as long as those.
+constexpr double kLeastSlant = 0.05;
 
 // Covers one behind the other that a ray goes through before it is called opaque.
 constexpr int kMostCovers = 64;
@@ -61,51 +64,70 @@ Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch
     return cones() ? follow_cone(ray, leaving, branch, first) : seen(ray, first, branch);
 }
 
-// Both parts of the pixel that an edge divides.
+// All parts of the pixel that edges divide.
 CameraLight Tracer::cone_light(const Ray& ray, double height, const FirstBorder& first) {
-    Branch branch;
     const Cone cone = pixel_cone(stage_, ray);
-    branch.wide = cone.start;
-    branch.widens = cone.spread;
-    const auto light = [&](const Ray& along, const FirstBorder& border) -> CameraLight {
+    const auto light = [&](const Ray& along, const FirstBorder& border, double share) -> CameraLight {
         LightMet lamp;
         const bool lit = direct_.lamp_seen(along, border.met ? border.border.t : kInfinity, lamp);
-        if (border.met || lit) return {lit ? lamp.radiance : shade(along, border.border, branch), 1};
-        return {stage_.surroundings.backdrop(along.direction, height), 0};
+        if (!border.met && !lit) return {stage_.surroundings.backdrop(along.direction, height), 0};
+        if (lit) return {lamp.radiance, 1};
+        Branch branch;
+        branch.wide = std::sqrt(share) * (cone.start + cone.spread * border.border.t);
+        branch.widens = std::sqrt(share) * cone.spread;
+        return {shade(along, border.border, branch), 1};
     };
-    const ConeSplit split = split_cone(*stage_.program, cone, first.met ? first.border.t : kInfinity);
-    if (!split.divided()) return light(ray, first);
+    const ConeParts parts = cones_->split(*stage_.program, cone, first.met ? first.border.t : kInfinity);
+    if (!parts.divided()) return light(ray, first, 1);
     CameraLight sum;
-    for (const auto& [off, share] : {std::pair(split.here, split.share), std::pair(split.there, 1 - split.share)}) {
+    for (const ConePart& p : parts) {
+        const Vec3 off = p.off / (cone.start + cone.spread * p.t);
         Ray part = ray;
         part.origin += cone.start * off;
         part.direction = glm::normalize(ray.direction + cone.spread * off);
         FirstBorder border;
         border.met = stage_.world.next(part, nullptr, kInfinity, scratch_, border.border);
-        const CameraLight own = light(part, border);
-        sum.radiance += share * own.radiance;
-        sum.coverage += share * own.coverage;
+        const CameraLight own = light(part, border, p.share);
+        sum.radiance += p.share * own.radiance;
+        sum.coverage += p.share * own.coverage;
     }
     return sum;
 }
 
-// What a mirror or glass shows through a cone. Both parts leave the same place.
+// What a mirror or glass shows through a cone. All parts leave the same place.
 Vec3 Tracer::follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis) {
-    Branch onward = branch;
-    if (axis.met) onward.wide = branch.wide + branch.widens * axis.border.t;
-    const Cone cone{ray, branch.wide, branch.widens};
-    const ConeSplit split = split_cone(*stage_.program, cone, axis.met ? axis.border.t : kInfinity);
-    if (!split.divided()) return seen(ray, axis, onward);
+    const auto onward = [&](const FirstBorder& border, double share) {
+        Branch part = branch;
+        part.weight *= share;
+        part.wide = std::sqrt(share) * (branch.wide + (border.met ? branch.widens * border.border.t : 0));
+        part.widens *= std::sqrt(share);
+        return part;
+    };
+    Cone cone{ray, branch.wide, branch.widens, Vec3(0), Vec3(0), Vec3(0), Vec3(0), kInfinity};
+    cone.axis.departure = stage_.world.divided() ? nullptr : &leaving->events[0];
+    const ConeParts parts = cones_->split(*stage_.program, cone, axis.met ? axis.border.t : kInfinity);
+    if (!parts.divided()) return seen(ray, axis, onward(axis, 1));
     Vec3 sum(0);
-    for (const auto& [off, share] : {std::pair(split.here, split.share), std::pair(split.there, 1 - split.share)}) {
+    double asked = 0;
+    for (const ConePart& p : parts) {
         Ray part = ray;
-        part.direction = glm::normalize(ray.direction + (cone.start / split.t + cone.spread) * off);
+        part.direction = glm::normalize(ray.direction + p.off / p.t);
+        // Parts that lie behind the surface itself are not asked.
+        if (!(glm::dot(part.direction, branch.out) > 0)) continue;
         FirstBorder border;
         border.met = stage_.world.next(part, leaving, kInfinity, scratch_, border.border);
-        onward.weight = branch.weight * share;
-        sum += share * seen(part, border, onward);
+        sum += p.share * seen(part, border, onward(border, p.share));
+        asked += p.share;
     }
-    return sum;
+    return asked > 0 ? sum / asked : seen(ray, axis, onward(axis, 1));
+}
+
+// Where a cone of this radius lies on the surface.
+Footprint Tracer::footprint(const Border& border, Vec3 view, double radius) {
+    const Vec3 level = glm::cross(border.normal, view);
+    const double slant = glm::length(level), cosine = std::max(kLeastSlant, glm::dot(border.normal, view));
+    if (!(slant > 0)) return {radius * ShadingFrame(border.normal).to_world(Vec3(1, 0, 0)), radius * ShadingFrame(border.normal).to_world(Vec3(0, 1, 0))};
+    return {level * (radius / slant), glm::cross(border.normal, level) * (radius / slant / cosine)};
 }
 
 Vec3 Tracer::shade(const Ray& ray, const Border& border, const Branch& branch) {
@@ -143,9 +165,9 @@ Vec3 Tracer::lit(const Surface& s, const Border& border, const Bsdf& bsdf, const
             const double cos_light = glm::dot(border.normal, sample.direction);
             if (!(cos_light > 0) || (sample.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
             const bool shadow = light.casts_shadow && stage_.integrator != Integrator::kPreview;
-            const Vec3 share = shadow && cones() && light.extended() ? direct_.cone_transmittance(border, light, sample)
-                               : shadow                              ? direct_.transmittance(border, sample.direction, sample.distance, time_, ClearShadows::kLetThrough)
-                                                                     : Vec3(1);
+            const Vec3 share = shadow && cones() ? direct_.cone_transmittance(border, light, sample, footprint(border, bsdf.view(), branch.wide))
+                               : shadow            ? direct_.transmittance(border, sample.direction, sample.distance, time_, ClearShadows::kLetThrough)
+                                                   : Vec3(1);
             if (share == Vec3(0)) continue;
             sum += (dull ? bsdf.dull_value(cos_light) : bsdf.value(sample.direction, cos_light)) * share * sample.radiance * (cos_light / parts);
         }
@@ -193,6 +215,7 @@ Vec3 Tracer::reflection(const Surface& s, const Ray& ray, const Border& border, 
         onward.spread = std::max(kRoughImage, s.alpha);
         onward.widens += kLobeRadius * s.alpha;
     }
+    onward.out = border.normal;
     ++counters_.reflection;
     return share * follow(next, &border.leaving, onward);
 }
@@ -227,6 +250,7 @@ Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& borde
     onward.weight = reach * mirror;
     next.direction = mirrored(ray.direction, border.normal);
     if (onward.weight >= kLeastWeight) {
+        onward.out = border.normal;
         ++counters_.reflection;
         sum += mirror * follow(next, &border.leaving, onward);
     }
@@ -235,6 +259,7 @@ Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& borde
     if (refraction && bent.weight >= kLeastWeight) {
         ++counters_.refraction;
         next.direction = *refraction;
+        bent.out = -border.normal;
         sum += let_through * s.color * hue * follow(next, &border.leaving, bent);
     }
     return sum;
@@ -265,6 +290,7 @@ Vec3 Tracer::straight_on(const Ray& ray, const Border& border, const Branch& bra
     Branch onward = branch;
     onward.weight *= 1 - border.surface->coverage;
     ++onward.straight;
+    onward.out = -border.normal;
     if (onward.weight < kLeastWeight || onward.straight > kMostCovers) return Vec3(0);
     Ray next = ray;
     next.origin = border.point;

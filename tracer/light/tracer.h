@@ -1,11 +1,14 @@
 // tracer.h — the light along one ray: Whitted's tree of mirrors and refractions, with areas sampled where the integrator distributes.
 //
-// With cones instead of rays (cone.h) an edge that crosses a pixel, a lamp's disc or a blurred image divides it in two: one ray for each part.
+// With cones instead of rays (cone.h) edges that cross a pixel, a lamp's disc or a blurred image divide it: one ray for each part.
 //
 // One object a tile; it owns nothing. Continuation rays carry the events they leave, so there is no epsilon anywhere.
 // Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984); Amanatides, Ray Tracing with Cones (1984).
 #pragma once
 
+#include <memory>
+
+#include "tracer/engine/cone.h"
 #include "tracer/light/bsdf.h"
 #include "tracer/light/clear.h"
 #include "tracer/light/direct.h"
@@ -16,7 +19,8 @@ namespace whittle {
 
 class Tracer {
 public:
-    Tracer(const Stage& stage, Scratch& scratch, RenderCounters& counters) : stage_(stage), direct_(stage, scratch, counters), scratch_(scratch), counters_(counters) {}
+    Tracer(const Stage& stage, Scratch& scratch, RenderCounters& counters)
+        : stage_(stage), direct_(stage, scratch, counters), scratch_(scratch), counters_(counters), cones_(cones() ? new ConeSplitter : nullptr) {}
 
     // Light that arrives against the camera ray. `height` is its place in the picture, -1..1 from bottom to top; `first` what the ray meets, where known.
     CameraLight camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first = nullptr);
@@ -32,7 +36,8 @@ private:
         double weight = 1;
         double spread = 0;  // GGX alpha that rough mirrors on the way have blurred everything by
         bool sees_lights = true;
-        double wide = 0, widens = 0;  // cone tracing: radius where the ray starts, and by how much it grows a mm
+        double wide = 0, widens = 0;  // cone tracing: radius where the ray starts (where shaded: ends), and by how much it grows a mm
+        Vec3 out{0};  // cone tracing: normal of the surface left, on the side that the ray goes to
         Hues hues;
     };
 
@@ -40,6 +45,7 @@ private:
     CameraLight cone_light(const Ray& ray, double height, const FirstBorder& first);
     Vec3 follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis);
     Vec3 seen(const Ray& ray, const FirstBorder& first, const Branch& branch);
+    static Footprint footprint(const Border& border, Vec3 view, double radius);
     Vec3 shade(const Ray& ray, const Border& border, const Branch& branch);
     Vec3 shade_as(const Surface& surface, const Ray& ray, const Border& border, const Branch& branch);
     Vec3 lit(const Surface& surface, const Border& border, const Bsdf& bsdf, const Branch& branch);
@@ -56,6 +62,7 @@ private:
     DirectLight direct_;
     Scratch& scratch_;
     RenderCounters& counters_;
+    std::unique_ptr<ConeSplitter> cones_;  // null: rays have no width
     const Sampler* sampler_ = nullptr;
     double time_ = 0;  // of the sample
 };

@@ -67,24 +67,28 @@ TEST_CASE("a cone that passes a box's edge is cut where the edge is, one that pa
     b.add(b.box(Vec3(-10, -10, -10), Vec3(0, 10, 10)));
     const auto program = compile(b.finish());
     REQUIRE(program);
+    ConeSplitter splitter;
     Cone cone;
-    cone.start = 1;
+    cone.start = 2;
     cone.axis.direction = Vec3(0, 0, -1);
     for (double x : {-0.6, -0.1, 0.3, 0.9}) {
-        cone.axis.origin = Vec3(x, 0, 50);
-        const ConeSplit split = split_cone(**program, cone, x < 0 ? 40 : HUGE_VAL);
+        cone.axis.origin = Vec3(2 * x, 0, 50);
+        const ConeParts parts = splitter.split(**program, cone, x < 0 ? 40 : HUGE_VAL);
         INFO("x = " << x);
-        REQUIRE(split.divided());
-        CHECK(split.share == Approx(1 - cut_disc(std::abs(x)).share));
-        CHECK(split.there.x == Approx((x < 0 ? 1 : -1) * cut_disc(std::abs(x)).centroid));
-        CHECK(split.there.y == Approx(0).margin(1e-12));
+        REQUIRE(parts.count == 2);
+        const ConePart &less = parts.part[x < 0 ? 1 : 0], &more = parts.part[x < 0 ? 0 : 1];
+        CHECK(more.share == Approx(1 - cut_disc(std::abs(x)).share));
+        CHECK(less.share == Approx(cut_disc(std::abs(x)).share));
+        CHECK(less.off.x == Approx((x < 0 ? 2 : -2) * cut_disc(std::abs(x)).centroid));
+        CHECK(less.off.y == Approx(0).margin(1e-12));
+        CHECK(parts.part[0].t == Approx(40));
         // Both parts together have their middle on the axis.
-        CHECK(glm::length(split.share * split.here + (1 - split.share) * split.there) < 1e-12);
+        CHECK(glm::length(parts.part[0].share * parts.part[0].off + parts.part[1].share * parts.part[1].off) < 1e-12);
     }
-    cone.axis.origin = Vec3(1.5, 0, 50);
-    CHECK(!split_cone(**program, cone, HUGE_VAL).divided());
+    cone.axis.origin = Vec3(3, 0, 50);
+    CHECK(!splitter.split(**program, cone, HUGE_VAL).divided());
     cone.axis.origin = Vec3(-5, 0, 50);
-    CHECK(!split_cone(**program, cone, 40).divided());
+    CHECK(!splitter.split(**program, cone, 40).divided());
 }
 
 TEST_CASE("a ball's silhouette and a drilled hole's rim cut cones") {
@@ -92,17 +96,63 @@ TEST_CASE("a ball's silhouette and a drilled hole's rim cut cones") {
     b.add(b.combined(SetOp::kDifference, {b.ball(10), b.rod(-20, 20, 4)}));
     const auto program = compile(b.finish());
     REQUIRE(program);
+    ConeSplitter splitter;
     Cone cone;
     cone.start = 0.5;
     cone.axis.direction = Vec3(0, 0, -1);
     const auto share_at = [&](double x, double t_hit) {
         cone.axis.origin = Vec3(x, 0, 50);
-        return split_cone(**program, cone, t_hit).share;
+        const ConeParts parts = splitter.split(**program, cone, t_hit);
+        return parts.divided() ? parts.part[0].share : 0;
     };
-    CHECK(share_at(10.2, HUGE_VAL) == Approx(1 - cut_disc(0.4).share).epsilon(0.03));
+    CHECK(share_at(10.2, HUGE_VAL) == Approx(cut_disc(0.4).share).epsilon(0.03));
     CHECK(share_at(9.9, 50 - std::sqrt(100 - 9.9 * 9.9)) == Approx(1 - cut_disc(0.2).share).epsilon(0.03));
-    CHECK(share_at(3.8, HUGE_VAL) == Approx(1 - cut_disc(0.4).share).epsilon(0.05));
-    CHECK(share_at(7, 50 - std::sqrt(51.0)) == 1);
+    CHECK(share_at(3.8, HUGE_VAL) == Approx(cut_disc(0.4).share).margin(0.03));
+    CHECK(share_at(7, 50 - std::sqrt(51.0)) == 0);
+}
+
+TEST_CASE("a box's corner parts a cone in two areas whose shares are those of its quadrants") {
+    SceneBuilder b;
+    b.add(b.box(Vec3(-10, -10, -10), Vec3(0, 0, 10)));
+    const auto program = compile(b.finish());
+    REQUIRE(program);
+    ConeSplitter splitter;
+    Cone cone;
+    cone.start = 1;
+    cone.axis.direction = Vec3(0, 0, -1);
+    cone.axis.origin = Vec3(0.1, 0.05, 50);
+    const ConeParts parts = splitter.split(**program, cone, HUGE_VAL);
+    double sum = 0, inside = 0;
+    for (const ConePart& p : parts) {
+        sum += p.share;
+        const Vec3 at = cone.axis.origin + p.off;
+        if (at.x < 0 && at.y < 0) inside += p.share;
+    }
+    CHECK(sum == Approx(1));
+    // The quadrant's area less the strips of 0.1 and 0.05 along its sides, 1 / pi of the disc each.
+    CHECK(inside == Approx(0.25 - (0.1 + 0.05) / kPi + 0.005 / kPi).margin(0.03));
+}
+
+TEST_CASE("where a cone's rays come from widens it near, what they go to widens it far") {
+    SceneBuilder b;
+    b.add(b.box(Vec3(0, -50, 0), Vec3(50, 50, 1)));
+    const auto program = compile(b.finish());
+    REQUIRE(program);
+    ConeSplitter splitter;
+    Cone cone;
+    cone.axis.direction = Vec3(0, 0, -1);
+    cone.near_u = Vec3(2, 0, 0);
+    cone.near_v = Vec3(0, 1e-9, 0);
+    cone.far_u = Vec3(0, 4, 0);
+    cone.far_v = Vec3(1, 0, 0);
+    cone.reach = 100;
+    // At a quarter of the way the halves are 1.5 and 0.25 along x.
+    cone.axis.origin = Vec3(-0.5, 0, 26);
+    const double half = std::sqrt(1.5 * 1.5 + 0.25 * 0.25);
+    const ConeParts parts = splitter.split(**program, cone, HUGE_VAL);
+    REQUIRE(parts.count == 2);
+    CHECK(parts.part[0].share == Approx(cut_disc(0.5 / half).share));
+    CHECK(parts.part[0].off.x == Approx(half * cut_disc(0.5 / half).centroid));
 }
 
 TEST_CASE("one cone a pixel smooths edges that one ray leaves jagged") {
