@@ -48,6 +48,10 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
         {"negative tube", "torus(r1 = 5, r2 = -1);\n", 1, "torus() has tube radius -1, left out in file a.scad, line 1"},
         {"zero scale", "scale([1, 0, 1]) cube(1);\n", 1, "Scaling a 3D object with 0 - removing object in file a.scad, line 1"},
         {"unknown material", "material(\"glas\") cube(1);\n", 1, "did you mean \"glass\"?"},
+        {"emission without end", "include <whittle.scad>\nmaterial(\"emissive\", emission = [1 / 0, 1, 1]) cube(1);\n", 0, "Unable to convert material(emission) = [inf, 1, 1] to a vec3 of numbers in file a.scad, line 2"},
+        {"power without end", "include <whittle.scad>\ncube(1);\nlight(p = [9, 9, 9], power = 1 / 0);\n", 0, "Unable to convert light(power) = inf to a number in file a.scad, line 3"},
+        {"a light at no place", "include <whittle.scad>\ncube(1);\nlight(p = [0 / 0, 9, 9]);\n", 0, "Unable to convert light(p) = [nan, 9, 9] to a vec3 of numbers in file a.scad, line 3"},
+        {"no light at all", "include <whittle.scad>\ncube(1);\nenvironment(color = \"black\");\n", 0, "The lights of the scene are all black"},
         {"open polyhedron", "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);\n", 1,
          "polyhedron() is not closed (3 open edges), left out in file a.scad, line 1"},
     };

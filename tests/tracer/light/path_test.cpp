@@ -109,47 +109,6 @@ TEST_CASE("a camera inside of glass sees a white room as white") {
     }
 }
 
-TEST_CASE("ten thousand lamps, lamps without size or direction, and lamps within matter give finite pictures") {
-    SceneBuilder b;
-    b.add(b.box(Vec3(-10), Vec3(10), preset("plastic")));
-    const Solid solid = b.finish();
-    RenderScene scene;
-    scene.camera = looking(Vec3(20, -40, 30));
-    RenderOptions o = path_options(1);
-    o.width = o.height = 4;
-    o.max_depth = 2;
-    for (int i = 0; i < 10000; ++i) {
-        PointLight p;
-        p.p = Vec3(i % 100 - 50, i / 100 - 50, 30);
-        p.power = 1;
-        scene.lights.push_back(lamp(p));
-    }
-    for (Integrator kind : {Integrator::kDistributed, Integrator::kPath, Integrator::kCone}) {
-        o.integrator = kind;
-        const RenderResult r = drawn(solid, scene, o);
-        CHECK(all_finite(r.film));
-        CHECK(r.counters.no_numbers == 0);
-        CHECK(mean(r.film).x > 0);
-    }
-    AreaLight flat;
-    flat.v = flat.u;
-    SunLight nowhere;
-    nowhere.direction = Vec3(0);
-    nowhere.irradiance = INFINITY;
-    PointLight buried;
-    buried.radius = 3;
-    PointLight odd;
-    odd.p = Vec3(NAN, 0, 0);
-    for (const Light& light : {Light{flat, {}}, Light{nowhere, {}}, lamp(buried), lamp(odd)})
-        for (Integrator kind : {Integrator::kDistributed, Integrator::kPath, Integrator::kCaustics, Integrator::kCone}) {
-            scene.lights = {light};
-            o.integrator = kind;
-            const RenderResult r = drawn(solid, scene, o);
-            CHECK(all_finite(r.film));
-            CHECK(r.counters.no_numbers == 0);
-        }
-}
-
 TEST_CASE("paths and photons agree tile by tile in a room of matte, glossy and clear things") {
     // 16 x 16 pixels a tile; chi-square of 4 degrees, of the 4 pictures compared in these tests together once in a thousand: 23.5.
     SceneBuilder b;

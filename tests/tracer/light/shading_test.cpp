@@ -292,23 +292,6 @@ TEST_CASE("the picture follows the integrator that shows all its matter") {
     CHECK(chosen(Material{}, {lamp(soft)}) == Integrator::kDistributed);
 }
 
-TEST_CASE("odd lights and cameras give finite pixels") {
-    const Solid solid = classic();
-    PointLight inside;
-    inside.p = Vec3(9.5);
-    inside.radius = 30;
-    PointLight endless;
-    endless.p = Vec3(20);
-    endless.power = INFINITY;
-    for (const Light& light : {lamp(inside), lamp(endless), around(Vec3(0))}) CHECK(all_finite(drawn(solid, seen_from(Vec3(0, -60, 30), {light}), small_options()).film));
-    CHECK(all_finite(drawn(solid, seen_from(Vec3(9.5, -9.5, 9.5), {}), small_options()).film));
-    SceneBuilder glass;
-    glass.add(glass.ball(10, preset("diamond")));
-    CHECK(all_finite(drawn(glass.finish(), seen_from(Vec3(1, 2, 3), {}), small_options()).film));
-    const RenderResult black = drawn(solid, seen_from(Vec3(0, -60, 30), {around(Vec3(0))}), small_options());
-    CHECK(!black.warnings.empty());
-}
-
 TEST_CASE("an unknown material is an error that lists the known ones") {
     SceneBuilder b;
     b.add(b.ball(5, preset("cheese")));
