@@ -57,4 +57,21 @@ Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expr
     return arranged(operands, expression, whole, stats);
 }
 
+Result<ArrangedMesh> arrange_piece(const GridMesh& piece, const std::vector<bool>& sound, const std::function<bool()>& cancelled) {
+    const Operand operand{&piece, {}, 0, 0, true};
+    const std::span<const Operand> operands(&operand, 1);
+    Expression alone;
+    alone.finish(alone.operand());
+    Patches patches = patches_of(operands);
+    const BoxTree tree(patches.boxes, patches.owner);
+    const auto small = small_faces_of(patches, tree, nothing_buried(patches, operands), cancelled);
+    if (!small) return tl::unexpected(small.error());
+    const auto sides = classify_piece(patches, *small, operands, sound, alone);
+    if (!sides) return tl::unexpected(sides.error());
+    ArrangeOptions options;
+    options.join = false;  // a corner of the border may be one of the rest too
+    ArrangeStats stats;
+    return surface_of(patches, operands, *small, *sides, options, stats);
+}
+
 }  // namespace whittle

@@ -51,4 +51,9 @@ struct ArrangeOptions {
 // Errors: kScene where an operand is not closed; kInterrupted.
 Result<ArrangedMesh> arrange(std::span<const Operand> operands, Expression& expression, const ArrangeOptions& options, ArrangeStats& stats);
 
+// A piece of a closed surface that crosses itself in facets that are not `sound` (by tag): what of it bounds the places with a winding number other than zero. The
+// piece's border, whose facets are sound, stays corner for corner.
+// Errors: kScene where a part of the piece has nothing sound; kInterrupted.
+Result<ArrangedMesh> arrange_piece(const GridMesh& piece, const std::vector<bool>& sound, const std::function<bool()>& cancelled);
+
 }  // namespace whittle

@@ -91,16 +91,22 @@ private:
 std::uint32_t side_after(const FaceEdge& e) { return 2 * e.face + (e.forward ? 0 : 1); }
 std::uint32_t side_before(const FaceEdge& e) { return 2 * e.face + (e.forward ? 1 : 0); }
 
-// Where facets are missing, edges may be left with one face and regions be joined that are not one; but only regions whose value is settled.
-bool join_sides(const Patches& patches, const SmallFaces& small, const Buried& buried, DisjointSets& sides) {
+// What an edge with one face means.
+enum class LoneEdge {
+    kFault,   // the surface is not closed
+    kJoins,   // facets were left out: regions are joined that are not one, but only regions whose value is settled
+    kBorder,  // of a piece of surface: nothing is known of what goes on there
+};
+
+bool join_sides(const Patches& patches, const SmallFaces& small, LoneEdge lone, DisjointSets& sides) {
     const std::vector<FaceEdge> edges = edges_of(small.faces);
     RoundAnEdge sorter(patches, small);
     std::vector<FaceEdge> round;
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {}
         if (j - i == 1) {
-            if (buried.count == 0) return false;
-            sides.join(side_after(edges[i]), side_before(edges[i]));
+            if (lone == LoneEdge::kFault) return false;
+            if (lone == LoneEdge::kJoins) sides.join(side_after(edges[i]), side_before(edges[i]));
             continue;
         }
         if (j - i == 2) {
@@ -291,7 +297,7 @@ Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& t
                                         std::span<const Operand> operands, Matters matters, Expression& expression) {
     const Expression nothing_on = expression;
     DisjointSets sides(small.faces.size() * 2);
-    if (!join_sides(patches, small, buried, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
+    if (!join_sides(patches, small, buried.count > 0 ? LoneEdge::kJoins : LoneEdge::kFault, sides)) return fail(Fault::kScene, "solids cannot be combined: a surface is not closed where they meet");
     const Regions regions = regions_of(sides, small.faces.size());
     Walker walker(patches, small, regions, buried, operands, matters, expression);
     const auto begin_at = [&](std::uint32_t face) {
@@ -315,6 +321,28 @@ Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& t
         out[f].filled = walker.told(out[f].front ? front : back).filled;
         if (const Cover& cover = small.covers[small.faces[f].cover]; cover.size() > 1)
             out[f].shown = shown.among(cover, walker.told(walker.told(front).settled ? back : front).around);
+    }
+    return out;
+}
+
+Result<std::vector<FaceSides>> classify_piece(const Patches& patches, const SmallFaces& small, std::span<const Operand> operands, const std::vector<bool>& sound,
+                                              Expression& expression) {
+    DisjointSets sides(small.faces.size() * 2);
+    join_sides(patches, small, LoneEdge::kBorder, sides);
+    const Regions regions = regions_of(sides, small.faces.size());
+    const Buried buried = nothing_buried(patches, operands);
+    Walker walker(patches, small, regions, buried, operands, Matters::kLeaveOut, expression);
+    for (std::uint32_t f = 0; f < small.faces.size(); ++f) {
+        const Cover& cover = small.covers[small.faces[f].cover];
+        if (cover.size() != 1 || !sound[patches.facets[cover.front().facet].tag]) continue;
+        if (cover.front().sign > 0) walker.walk_from(f, {});
+        else walker.walk_from(f, {{0, 1}});
+    }
+    std::vector<FaceSides> out(small.faces.size());
+    for (std::size_t f = 0; f < out.size(); ++f) {
+        const std::uint32_t front = regions.of_side[2 * f], back = regions.of_side[2 * f + 1];
+        if (!walker.known(front) || !walker.known(back)) return fail(Fault::kScene, "a piece of surface has nothing sound");
+        out[f].front = walker.inside(front), out[f].back = walker.inside(back);
     }
     return out;
 }

@@ -24,6 +24,11 @@ enum class Matters { kLeaveOut, kTell };
 Result<std::vector<FaceSides>> classify(const Patches& patches, const BoxTree& tree, const SmallFaces& small, const Buried& buried,
                                         std::span<const Operand> operands, Matters matters, Expression& expression);
 
+// The same for one operand that is a piece of a closed surface. Nothing is known of the rest, but that facets whose tags are `sound` cross nothing: the outside
+// is in front of them and the inside behind. kScene fault where a part of the piece is not reached from there.
+Result<std::vector<FaceSides>> classify_piece(const Patches& patches, const SmallFaces& small, std::span<const Operand> operands, const std::vector<bool>& sound,
+                                              Expression& expression);
+
 // Winding numbers other than zero in front of a face, by operand. Nothing where no ray through the face is general enough.
 std::optional<std::vector<std::pair<std::uint32_t, int>>> windings_in_front(const Patches& patches, const BoxTree& tree, const SmallFaces& small,
                                                                             const SmallFace& face);

@@ -178,9 +178,9 @@ private:
     std::span<const Corners> triangles_;
 };
 
-}  // namespace
-
-std::uint64_t count_crossings(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles) {
+// visit(i, j) for every pair that crosses.
+template <class Visit>
+void each_crossing(std::span<const Vec3> points, std::span<const Corners> triangles, const Visit& visit) {
     std::vector<DoubleBox> boxes;
     boxes.reserve(triangles.size());
     for (const Corners& t : triangles) {
@@ -191,10 +191,26 @@ std::uint64_t count_crossings(std::span<const Vec3> points, std::span<const std:
     }
     const Signs signs(points);
     const Pairs pairs(signs, triangles);
-    std::uint64_t count = 0;
     const BoxTree tree(std::move(boxes), std::vector<std::uint32_t>(triangles.size(), BoxTree::kMixed));
-    tree.pairs([&](std::uint32_t i, std::uint32_t j) { count += pairs.meet(i, j) ? 1U : 0U; });
+    tree.pairs([&](std::uint32_t i, std::uint32_t j) {
+        if (pairs.meet(i, j)) visit(i, j);
+    });
+}
+
+}  // namespace
+
+std::uint64_t count_crossings(std::span<const Vec3> points, std::span<const Corners> triangles) {
+    std::uint64_t count = 0;
+    each_crossing(points, triangles, [&](std::uint32_t, std::uint32_t) { ++count; });
     return count;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(std::span<const Vec3> points, std::span<const Corners> triangles, std::size_t most) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    each_crossing(points, triangles, [&](std::uint32_t i, std::uint32_t j) {
+        if (out.size() < most) out.emplace_back(i, j);
+    });
+    return out;
 }
 
 }  // namespace whittle

@@ -5,6 +5,7 @@
 
 #include "modeler/arrange/arrange.h"
 #include "modeler/arrange/crossings.h"
+#include "modeler/mesh/settle_piece.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
@@ -13,8 +14,10 @@ namespace {
 // Rounds on one grid: what has not settled by then mostly grows from round to round. Then the mesh is put on a grid twice as coarse, three times at most; of the
 // examples one needs that.
 constexpr int kRounds = 4, kGrids = 4;
-// With more pairs than this the model is too fine for the precision: arranging it would take minutes and help little. They are told instead.
-constexpr std::uint64_t kMostCrossings = 2000;
+// With more pairs than this the model is too fine for the precision: arranging what crosses would take minutes and help little. They are told instead.
+constexpr std::uint64_t kMostCrossings = 20000;
+// A mesh of no more triangles is arranged as a whole where its pieces cannot be, and of no more crossings.
+constexpr std::size_t kFewTriangles = 200000, kFewCrossings = 2000;
 
 Settled looked_at(Mesh mesh) {
     weld(mesh);
@@ -53,24 +56,51 @@ std::optional<Mesh> rearranged(const Mesh& mesh, int exponent, MeshControl& cont
     return out;
 }
 
-// Rounds and arranges on the finest grid whose points have so many bits, else on coarser ones.
+Mesh on_grid(const Mesh& mesh, int exponent) {
+    Mesh out = mesh;
+    for (Vec3& p : out.points)
+        for (int k = 0; k < 3; ++k) p[k] = std::ldexp(std::nearbyint(std::ldexp(p[k], -exponent)), exponent);
+    return out;
+}
+
+// Piece by piece, the mesh on one grid.
+Settled settled_by_pieces(Mesh mesh, int exponent, MeshControl& control) {
+    weld(mesh);
+    remove_flat_triangles(mesh);
+    CrossingPairs pairs = crossing_pairs(mesh.points, mesh.triangles, kMostCrossings + 1);
+    for (int round = 0; round < kRounds && !pairs.empty() && pairs.size() <= kMostCrossings && !control.cancelled(); ++round) {
+        auto left = settle_piece(mesh, pairs, exponent, kMostCrossings + 1, control);
+        if (!left) break;
+        pairs = std::move(*left);
+    }
+    return {std::move(mesh), pairs.size(), true};
+}
+
+// As a whole.
+void settle_whole(Settled& best, const Mesh& mesh, int exponent, MeshControl& control) {
+    Mesh now = mesh;
+    std::uint64_t left = best.crossings;
+    for (int round = 0; round < kRounds && left > 0 && left <= kFewCrossings && !control.cancelled(); ++round) {
+        auto next = rearranged(now, exponent, control);
+        if (!next) break;
+        now = std::move(*next);
+        Settled seen = looked_at(now);
+        left = seen.crossings;
+        seen.rearranged = true;
+        if (left < best.crossings) best = std::move(seen);
+    }
+}
+
+// On the finest grid whose points have so many bits, else on coarser ones.
 Settled settled_on_grid(Settled first, const Mesh& mesh, int bits, MeshControl& control) {
     int exponent = 0;
     std::frexp(largest_coordinate(mesh), &exponent);
     exponent -= bits;
     Settled best = std::move(first);
-    for (int coarser = 0; coarser < kGrids && best.crossings > 0 && best.crossings <= kMostCrossings; ++coarser) {
-        Mesh now = mesh;
-        std::uint64_t left = best.crossings;
-        for (int round = 0; round < kRounds && left > 0 && left <= kMostCrossings && !control.cancelled(); ++round) {
-            auto next = rearranged(now, exponent + coarser, control);
-            if (!next) break;
-            now = std::move(*next);
-            Settled seen = looked_at(now);
-            left = seen.crossings;
-            seen.rearranged = true;
-            if (left < best.crossings) best = std::move(seen);
-        }
+    for (int coarser = 0; coarser < kGrids && best.crossings > 0 && best.crossings <= kMostCrossings && !control.cancelled(); ++coarser) {
+        Settled seen = settled_by_pieces(on_grid(mesh, exponent + coarser), exponent + coarser, control);
+        if (seen.crossings < best.crossings) best = std::move(seen);
+        if (best.crossings > 0 && mesh.triangles.size() <= kFewTriangles) settle_whole(best, mesh, exponent + coarser, control);
     }
     return best;
 }

@@ -1,7 +1,7 @@
 // settle.h — a mesh in the precision it will have, without facets that cross there.
 //
-// Rounding moves points, and slivers may then cross. What crosses is arranged once more, on the points as they are now, and rounded again, until nothing
-// does: mostly once.
+// Rounding moves points, and slivers may then cross. What crosses is arranged once more with the facets around it (settle_piece.h), on the points as they are now, and
+// rounded again, until nothing does: mostly once. The rest of the mesh stays as it is, so this takes what the crossings take, not what the mesh does.
 // Source: iterated snap rounding: Halperin and Packer (2002); in three dimensions Lazard and Valque, Removing self-intersections in triangular meshes (2024).
 #pragma once
 
