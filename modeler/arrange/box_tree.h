@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace whittle {
@@ -37,9 +36,12 @@ public:
 
     // `owner[i]`: pairs of one owner are not asked for; kMixed: asked for against all.
     BoxTree(std::vector<DoubleBox> boxes, std::vector<std::uint32_t> owner) : boxes_(std::move(boxes)), owner_(std::move(owner)) {
+        if (boxes_.empty()) return;
+        std::vector<Entry> entries(boxes_.size());
+        for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {twice_centre(i), i};
         order_.resize(boxes_.size());
-        std::iota(order_.begin(), order_.end(), 0U);
-        if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+        nodes_.reserve(boxes_.size() / 2);
+        build(entries, 0, static_cast<std::uint32_t>(entries.size()));
     }
 
     // visit(i, j) once for every pair of touching boxes with different owners, in an order that depends on the boxes alone.
@@ -59,29 +61,39 @@ private:
     };
     static constexpr std::uint32_t kFew = 6;
 
-    std::uint32_t build(std::uint32_t first, std::uint32_t last) {
+    struct Entry {
+        std::array<double, 3> centre;  // doubled
+        std::uint32_t box;
+    };
+
+    std::uint32_t build(std::vector<Entry>& entries, std::uint32_t first, std::uint32_t last) {
         const auto id = static_cast<std::uint32_t>(nodes_.size());
-        Node node{boxes_[order_[first]], first, last, 0, owner_[order_[first]]};
-        DoubleBox centres = DoubleBox::at(twice_centre(order_[first]));
-        for (std::uint32_t i = first; i < last; ++i) {
-            node.box.include(boxes_[order_[i]]);
-            centres.include(twice_centre(order_[i]));
-            if (owner_[order_[i]] != node.owner) node.owner = kMixed;
+        nodes_.push_back({boxes_[entries[first].box], first, last, 0, owner_[entries[first].box]});
+        if (last - first <= kFew) {
+            Node& node = nodes_[id];
+            for (std::uint32_t i = first; i < last; ++i) {
+                order_[i] = entries[i].box;
+                node.box.include(boxes_[order_[i]]);
+                if (owner_[order_[i]] != node.owner) node.owner = kMixed;
+            }
+            return id;
         }
-        nodes_.push_back(node);
-        if (last - first <= kFew) return id;
+        DoubleBox centres = DoubleBox::at(entries[first].centre);
+        for (std::uint32_t i = first; i < last; ++i) centres.include(entries[i].centre);
         std::size_t axis = 0;
         for (std::size_t k = 1; k < 3; ++k)
             if (centres.hi[k] - centres.lo[k] > centres.hi[axis] - centres.lo[axis]) axis = k;
         const std::uint32_t middle = first + (last - first) / 2;
-        const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-        std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t a, std::uint32_t b) {
-            const double x = boxes_[a].lo[axis] + boxes_[a].hi[axis], y = boxes_[b].lo[axis] + boxes_[b].hi[axis];
-            return x != y ? x < y : a < b;
+        const auto at = [&](std::uint32_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::nth_element(at(first), at(middle), at(last), [&](const Entry& a, const Entry& b) {
+            return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.box < b.box;
         });
-        build(first, middle);
-        const std::uint32_t right = build(middle, last);
-        nodes_[id].right = right;
+        const std::uint32_t left = build(entries, first, middle), right = build(entries, middle, last);
+        Node& node = nodes_[id];
+        node.right = right;
+        node.box = nodes_[left].box;
+        node.box.include(nodes_[right].box);
+        node.owner = nodes_[left].owner == nodes_[right].owner ? nodes_[left].owner : kMixed;
         return id;
     }
     std::array<double, 3> twice_centre(std::uint32_t i) const {

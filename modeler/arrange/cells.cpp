@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "modeler/arrange/edge_order.h"
 #include "modeler/arrange/sets.h"
 #include "modeler/arrange/shown.h"
 
@@ -14,7 +15,7 @@ struct FaceEdge {
     bool forward;  // the face runs from lo to hi
 };
 
-std::vector<FaceEdge> edges_of(const std::vector<SmallFace>& faces) {
+std::vector<FaceEdge> edges_of(const std::vector<SmallFace>& faces, std::size_t points) {
     std::vector<FaceEdge> edges;
     edges.reserve(faces.size() * 3);
     for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -22,9 +23,7 @@ std::vector<FaceEdge> edges_of(const std::vector<SmallFace>& faces) {
             const PointId a = faces[f].v[k], b = faces[f].v[k == 2 ? 0 : k + 1];
             edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
         }
-    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
-        return a.lo != b.lo ? a.lo < b.lo : a.hi != b.hi ? a.hi < b.hi : a.face < b.face;
-    });
+    sort_edges(edges, points, [](const FaceEdge& e) { return e.lo; }, [](const FaceEdge& a, const FaceEdge& b) { return a.hi != b.hi ? a.hi < b.hi : a.face < b.face; });
     return edges;
 }
 
@@ -99,7 +98,7 @@ enum class LoneEdge {
 };
 
 bool join_sides(const Patches& patches, const SmallFaces& small, LoneEdge lone, DisjointSets& sides) {
-    const std::vector<FaceEdge> edges = edges_of(small.faces);
+    const std::vector<FaceEdge> edges = edges_of(small.faces, patches.points.size());
     RoundAnEdge sorter(patches, small);
     std::vector<FaceEdge> round;
     for (std::size_t i = 0, j; i < edges.size(); i = j) {

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "modeler/arrange/edge_order.h"
 #include "modeler/arrange/planar_mesh.h"
 #include "modeler/arrange/sets.h"
 
@@ -49,7 +50,7 @@ struct HalfEdge {
     bool forward;
 };
 
-std::vector<HalfEdge> half_edges_of(const std::vector<OuterFace>& faces) {
+std::vector<HalfEdge> half_edges_of(const std::vector<OuterFace>& faces, std::size_t points) {
     std::vector<HalfEdge> edges;
     edges.reserve(faces.size() * 3);
     for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -57,9 +58,7 @@ std::vector<HalfEdge> half_edges_of(const std::vector<OuterFace>& faces) {
             const PointId a = faces[f].v[k], b = faces[f].v[k == 2 ? 0 : k + 1];
             edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
         }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return a.lo != b.lo ? a.lo < b.lo : a.hi != b.hi ? a.hi < b.hi : a.face < b.face;
-    });
+    sort_edges(edges, points, [](const HalfEdge& e) { return e.lo; }, [](const HalfEdge& a, const HalfEdge& b) { return a.hi != b.hi ? a.hi < b.hi : a.face < b.face; });
     return edges;
 }
 
@@ -112,7 +111,7 @@ private:
     }
 
     void find_creases() {
-        const auto edges = half_edges_of(faces_);
+        const auto edges = half_edges_of(faces_, points_.size());
         for (std::size_t i = 0, j; i < edges.size(); i = j) {
             for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {}
             if (j - i == 2 && edges[i].forward != edges[i + 1].forward && same_facet(edges[i].face, edges[i + 1].face)) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "modeler/arrange/edge_order.h"
 #include "modeler/arrange/exact_points.h"
 
 namespace whittle {
@@ -36,11 +37,11 @@ private:
 // The directed edges of a mesh and the triangle each belongs to, sorted, so that the twin of an edge is found by bisection.
 class EdgeIndex {
 public:
-    explicit EdgeIndex(const std::vector<Triangle>& triangles) {
+    EdgeIndex(const std::vector<Triangle>& triangles, std::size_t points) {
         edges_.reserve(triangles.size() * 3);
         for (std::size_t i = 0; i < triangles.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k) edges_.push_back({key(triangles[i][k], triangles[i][(k + 1) % 3]), static_cast<std::uint32_t>(i)});
-        std::sort(edges_.begin(), edges_.end());
+        sort_edges(edges_, points, [](const Entry& e) { return e.edge >> 32; }, std::less<>());
     }
     // The triangle on the other side of (from, to) where it is the only one.
     std::optional<std::uint32_t> across(std::uint32_t from, std::uint32_t to) const {
@@ -97,7 +98,7 @@ void drop_folded_pairs(std::vector<Triangle>& triangles, std::vector<std::uint32
 FacetTag tag_facets(GridMesh& mesh, const std::vector<std::uint32_t>& group) {
     constexpr FacetTag kNone = std::numeric_limits<FacetTag>::max();
     mesh.tags.assign(mesh.triangles.size(), kNone);
-    const EdgeIndex edges(mesh.triangles);
+    const EdgeIndex edges(mesh.triangles, mesh.points.size());
     FacetTag count = 0;
     const auto plane_of = [&](const Triangle& t) { return plane_through(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]); };
     std::vector<std::uint32_t> todo;

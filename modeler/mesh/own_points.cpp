@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "modeler/arrange/edge_order.h"
+
 namespace whittle {
 namespace {
 
@@ -23,7 +25,8 @@ public:
                 const std::uint64_t a = mesh_.triangles[i][k], b = mesh_.triangles[i][(k + 1U) % 3];
                 sides.push_back({std::min(a, b) << 32 | std::max(a, b), i, k, a < b});
             }
-        std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle; });
+        sort_edges(sides, mesh_.points.size(), [](const Side& s) { return s.edge >> 32; },
+                   [](const Side& a, const Side& b) { return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle; });
         for (std::size_t i = 0, j; i < sides.size(); i = j) {
             for (j = i; j < sides.size() && sides[j].edge == sides[i].edge;) ++j;
             if (j - i == 2) join(sides[i], sides[i + 1]);

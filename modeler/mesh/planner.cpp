@@ -185,18 +185,19 @@ Result<std::optional<Instance>> Planner::piece_of(const LeafMesh& mesh, const Pa
     return std::optional<Instance>{plan_.leaf(std::move(snapped), {number})};
 }
 
-// Shapes do not change with translation, so each is cut into triangles once for every linear part; unbounded ones depend on the place.
+// What a shape is cut into depends on how much its placement lengthens alone, so it is cut once for all places that differ in turns; unbounded ones depend on the place.
 Result<std::shared_ptr<const Tessellation>> Planner::tessellated(NodeId node, const Placement& placement) {
     const auto& shape = std::get<Shape>(solid_.node(node));
     const bool unbounded = std::holds_alternative<shape::HalfSpace>(shape) || std::holds_alternative<shape::Quadric>(shape);
-    std::array<double, 10> key{static_cast<double>(solid_.geometry(node))};
-    for (int i = 0; i < 9; ++i) key[static_cast<std::size_t>(i) + 1] = placement.linear(i / 3, i % 3);
-    if (!unbounded)
-        if (const auto known = tessellations_.find(key); known != tessellations_.end()) return known->second;
     CurveRule rule = rule_;
     rule.scale = rule_.scale * largest_stretch(placement);
+    if (!keeps_axes(placement)) rule.scale = shared_scale(rule.scale);
+    if (!(rule.scale > 0)) return std::make_shared<const Tessellation>();
+    const std::pair key{solid_.geometry(node), rule.scale};
+    if (!unbounded)
+        if (const auto known = tessellations_.find(key); known != tessellations_.end()) return known->second;
     const auto room = pulled_back(room_, placement);
-    if (!room || !(rule.scale > 0)) return std::make_shared<const Tessellation>();
+    if (!room) return std::make_shared<const Tessellation>();
     auto made = tessellate(solid_, node, rule, *room);
     if (!made) return tl::unexpected(made.error());
     auto shared = std::make_shared<const Tessellation>(std::move(*made));

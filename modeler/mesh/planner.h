@@ -62,7 +62,7 @@ private:
     double own_grid_mm_ = 0;
     Plan plan_;
     KnownPoints known_;
-    std::map<std::array<double, 10>, std::shared_ptr<const Tessellation>> tessellations_;
+    std::map<std::pair<NodeId, double>, std::shared_ptr<const Tessellation>> tessellations_;
     std::map<std::pair<NodeId, double>, std::shared_ptr<const MeshResult>> apart_;
     std::map<NodeId, bool> bounded_;
 };

@@ -40,10 +40,11 @@ Tessellation tessellate_box(const Vec3& lo, const Vec3& hi) {
 
 namespace {
 
-std::uint32_t add_circle(LeafMesh& mesh, double r, double z, int n) {
+// n points, the first at `offset` steps.
+std::uint32_t add_circle(LeafMesh& mesh, double r, double z, int n, double offset = 0) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (int i = 0; i < n; ++i) {
-        const double a = 360.0 * i / n;
+        const double a = 360.0 * (i + offset) / n;
         mesh.points.emplace_back(r * cosd(a), r * sind(a), z);
     }
     return first;
@@ -85,27 +86,55 @@ Tessellation tessellate_faceted_ball(const shape::FacetedBall& s) {
     return out;
 }
 
-// Where the tube reaches over the axis (the spindle), only the part of its circle on this side of the axis is outer surface.
-Tessellation tessellate_torus(const shape::Torus& s, const CurveRule& rule) {
+namespace {
+
+// Circles by which a tube is cut: every other one is turned by half a step, so that triangles are nearly equilateral. In lengths in which both curvatures are one, such a
+// triangle's width has 3/4 of the bulge over the triangle, its height 9/16.
+Tessellation tube_of(const shape::Torus& s, const CurveRule& rule) {
+    constexpr double kWidth = 0.75, kHeight = 0.5625;
+    Tessellation out;
+    const double outer = s.major + s.minor;
+    const int around = rule.turn_within(outer, rule.chord(outer) * kWidth), along = rule.turn_within(s.minor, rule.chord(s.minor) * kHeight);
+    const auto n = static_cast<std::uint32_t>(around);
+    const bool horn = s.minor == s.major;  // touches itself on the axis; half a step aside it is a surface again, open there by less than the tolerance
+    for (int i = 0; i < along; ++i) {
+        const double a = -180 + 360 * (i + (horn ? 0.5 : 0.0)) / along;
+        add_circle(out.mesh, s.major + s.minor * cosd(a), s.minor * sind(a), around, i % 2 == 0 ? 0 : 0.5);
+    }
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(along); ++i) {
+        const std::uint32_t low = i * n, high = (i + 1) % static_cast<std::uint32_t>(along) * n, ahead = i % 2;  // from a turned circle the next point is the one ahead
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const std::uint32_t tip = (k + ahead) % n;
+            out.mesh.triangles.push_back({low + k, low + (k + 1) % n, high + tip});
+            out.mesh.triangles.push_back({low + (k + 1) % n, high + (tip + 1) % n, high + tip});
+        }
+    }
+    out.error = rule.chord(outer) * rule.scale;
+    return out;
+}
+
+// Where the tube reaches over the axis, only the part of its circle on this side of the axis is outer surface.
+Tessellation spindle_of(const shape::Torus& s, const CurveRule& rule) {
     Tessellation out;
     const double outer = s.major + s.minor;
     const int around = rule.turn_within(outer, rule.chord(outer) / 2), along = rule.turn_within(s.minor, rule.chord(s.minor) / 2);
     const auto n = static_cast<std::uint32_t>(around);
-    const bool spindle = s.minor > s.major;
-    const bool horn = s.minor == s.major;  // touches itself on the axis; half a step aside it is a surface again, open there by less than the tolerance
-    const double half_deg = spindle ? std::acos(-s.major / s.minor) / kRadiansPerDegree : 180;
-    const int steps = spindle ? static_cast<int>(std::ceil(along * half_deg / 180)) : along;
-    for (int i = 0; i < steps + (spindle ? 1 : 0); ++i) {
-        const double a = -half_deg + 2 * half_deg * (i + (horn ? 0.5 : 0.0)) / steps;
-        const bool pole = spindle && (i == 0 || i == steps);
+    const double half_deg = std::acos(-s.major / s.minor) / kRadiansPerDegree;
+    const int steps = static_cast<int>(std::ceil(along * half_deg / 180));
+    for (int i = 0; i <= steps; ++i) {
+        const double a = -half_deg + 2 * half_deg * i / steps;
+        const bool pole = i == 0 || i == steps;
         const double z = pole ? std::sqrt((s.minor - s.major) * (s.minor + s.major)) * (i == 0 ? -1 : 1) : s.minor * sind(a);
         add_circle(out.mesh, pole ? 0 : s.major + s.minor * cosd(a), z, around);
         if (i > 0) join_rings(out.mesh, static_cast<std::uint32_t>(i - 1) * n, static_cast<std::uint32_t>(i) * n, n);
     }
-    if (!spindle) join_rings(out.mesh, static_cast<std::uint32_t>(steps - 1) * n, 0, n);
     out.error = rule.chord(outer) * rule.scale;
     return out;
 }
+
+}  // namespace
+
+Tessellation tessellate_torus(const shape::Torus& s, const CurveRule& rule) { return s.minor > s.major ? spindle_of(s, rule) : tube_of(s, rule); }
 
 Result<Tessellation> tessellate(const Solid& solid, NodeId node, const CurveRule& rule, const Bounds& room) {
     struct Visitor {

@@ -1,80 +1,82 @@
 // tessellate_round.cpp — balls, ellipsoids, capsules and rounded boxes: one net of eight octants, pulled apart by a box.
 //
-// Rings of equal latitude, each with only as many points as its own size needs: 2/pi of the triangles of a net with equal longitudes.
+// Rows of triangles from the equator to the pole (round_rows.h); the southern half is the northern one mirrored.
 #include <cmath>
-#include <numbers>
 
 #include "csg/base/degrees.h"
+#include "modeler/mesh/round_rows.h"
 #include "modeler/mesh/tessellate.h"
 
 namespace whittle {
 namespace {
 
-// Triangles between rings of unequal counts lean; measured over radii and tolerances, the worst one is this much farther off than a right-angled one.
-constexpr double kLean = 1.25;
-
-// A ring as four arcs of m + 1 points each, consecutive from `first`; m == 0 at a pole.
+// A ring as four arcs of `count` points each, consecutive from `first`.
 struct Ring {
-    std::uint32_t first = 0, m = 0;
-    std::uint32_t at(std::uint32_t quadrant, std::uint32_t i) const { return first + quadrant * (m + 1) + i; }
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t at(std::uint32_t quadrant, std::uint32_t i) const { return first + quadrant * count + i; }
 };
+
+enum class Half { kNorth, kSouth };
 
 class Net {
 public:
-    Net(const Vec3& lo, const Vec3& hi, double r, const CurveRule& rule) : lo_(lo), hi_(hi), r_(r) {
-        const double error = rule.chord(r) / 2 / kLean;
-        steps_ = rule.turn_within(r, error) / 4;
-        chord_ = std::sqrt(8 * error * r);
-        if (rule.angle_deg) chord_ = std::min(chord_, *rule.angle_deg * kRadiansPerDegree * r);
-    }
+    Net(const Vec3& lo, const Vec3& hi, double r) : lo_(lo), hi_(hi), r_(r) {}
 
-    LeafMesh run() {
-        std::vector<Ring> rings;
-        for (int i = -steps_; i <= 0; ++i) rings.push_back(ring(i, lo_.z));
-        for (int i = hi_.z > lo_.z ? 0 : 1; i <= steps_; ++i) rings.push_back(ring(i, hi_.z));
-        for (std::size_t i = 0; i + 1 < rings.size(); ++i) join(rings[i], rings[i + 1]);
-        const Ring &south = rings.front(), &north = rings.back();
-        mesh_.quad(south.at(0, 0), south.at(3, 0), south.at(2, 0), south.at(1, 0));
-        mesh_.quad(north.at(0, 0), north.at(1, 0), north.at(2, 0), north.at(3, 0));
+    LeafMesh run(const std::vector<RoundRow>& rows) {
+        const Ring equator = ring(rows.front(), Half::kNorth);
+        Ring low = equator;
+        if (hi_.z > lo_.z) {
+            low = ring(rows.front(), Half::kSouth);
+            for (std::uint32_t q = 0; q < 4; ++q) {
+                for (std::uint32_t i = 0; i + 1 < low.count; ++i) mesh_.quad(low.at(q, i), low.at(q, i + 1), equator.at(q, i + 1), equator.at(q, i));
+                seam(low, equator, q);
+            }
+        }
+        cap(rows, equator, Half::kNorth);
+        cap(rows, low, Half::kSouth);
         return std::move(mesh_);
     }
 
 private:
-    Ring ring(int step, double base_z) {
-        const double latitude = 90.0 * step / steps_, radius = r_ * cosd(latitude), z = base_z + r_ * sind(latitude);
-        Ring ring;
-        ring.first = static_cast<std::uint32_t>(mesh_.points.size());
-        ring.m = radius > 0 ? static_cast<std::uint32_t>(std::max(1.0, std::ceil(std::numbers::pi / 2 * radius / chord_))) : 0;
+    Ring ring(const RoundRow& row, Half half) {
+        const double z = half == Half::kNorth ? hi_.z + r_ * row.sine : lo_.z - r_ * row.sine, radius = r_ * row.cosine;
+        const Ring ring{static_cast<std::uint32_t>(mesh_.points.size()), static_cast<std::uint32_t>(row.along.size())};
         for (std::uint32_t q = 0; q < 4; ++q)
-            for (std::uint32_t i = 0; i <= ring.m; ++i) {
-                const double a = 90.0 * q + (ring.m > 0 ? 90.0 * i / ring.m : 0.0);
+            for (const double share : row.along) {
+                const double a = 90.0 * q + 90.0 * share;
                 const double x = q == 0 || q == 3 ? hi_.x : lo_.x, y = q < 2 ? hi_.y : lo_.y;
                 mesh_.points.emplace_back(x + radius * cosd(a), y + radius * sind(a), z);
             }
         return ring;
     }
 
-    void join(const Ring& low, const Ring& high) {
-        for (std::uint32_t q = 0; q < 4; ++q) {
-            std::uint32_t i = 0, j = 0;
-            while (i < low.m || j < high.m) {
-                const bool along_low = j == high.m || (i < low.m && (i + 1) * high.m <= (j + 1) * low.m);
-                if (along_low) {
-                    mesh_.triangles.push_back({low.at(q, i), low.at(q, i + 1), high.at(q, j)});
-                    ++i;
-                } else {
-                    mesh_.triangles.push_back({low.at(q, i), high.at(q, j + 1), high.at(q, j)});
-                    ++j;
+    void cap(const std::vector<RoundRow>& rows, Ring below, Half half) {
+        for (std::size_t row = 1; row < rows.size(); ++row) {
+            const Ring above = ring(rows[row], half);
+            for (std::uint32_t q = 0; q < 4; ++q) {
+                for (const RowTriangle& t : triangles_between(rows[row - 1], rows[row])) {
+                    const std::uint32_t a = below.at(q, t.below), b = above.at(q, t.above), c = t.stands ? below.at(q, t.below + 1) : above.at(q, t.above + 1);
+                    put(half, {a, c, b});
                 }
+                if (half == Half::kNorth) seam(below, above, q);
+                else seam(above, below, q);
             }
-            const std::uint32_t next = (q + 1) % 4;
-            mesh_.quad(low.at(q, low.m), low.at(next, 0), high.at(next, 0), high.at(q, high.m));
+            below = above;
         }
+        if (half == Half::kNorth) mesh_.quad(below.at(0, 0), below.at(1, 0), below.at(2, 0), below.at(3, 0));
+        else mesh_.quad(below.at(3, 0), below.at(2, 0), below.at(1, 0), below.at(0, 0));
     }
 
+    // Between two quadrants; empty in a ball.
+    void seam(const Ring& low, const Ring& high, std::uint32_t q) {
+        const std::uint32_t next = (q + 1) % 4;
+        mesh_.quad(low.at(q, low.count - 1), low.at(next, 0), high.at(next, 0), high.at(q, high.count - 1));
+    }
+
+    void put(Half half, const Triangle& t) { mesh_.triangles.push_back(half == Half::kNorth ? t : Triangle{t[0], t[2], t[1]}); }
+
     Vec3 lo_, hi_;
-    double r_, chord_ = 0;
-    int steps_ = 0;
+    double r_;
     LeafMesh mesh_;
 };
 
@@ -90,7 +92,7 @@ void frame_around(const Vec3& w, Vec3& u, Vec3& v) {
 
 Tessellation tessellate_rounded(const Vec3& lo, const Vec3& hi, double r, const CurveRule& rule) {
     Tessellation out;
-    out.mesh = Net(lo, hi, r, rule).run();
+    out.mesh = Net(lo, hi, r).run(round_rows(r, rule));
     out.error = rule.chord(r) * rule.scale;
     return out;
 }

@@ -134,19 +134,20 @@ Result<Tessellation> tessellate_revolution(const Solid& solid, const shape::Revo
     auto contours = profile_contours(solid, s.profile, s.fragments > 0 ? rule : half);
     if (!contours) return tl::unexpected(contours.error());
     ProfileMesh profile = std::move(*contours);
+    const CurveRule& turn = profile.error > 0 ? half : rule;  // a straight profile leaves the whole tolerance to the turn
     double least = 0, radius = 0;
     for (const Vec2& p : profile.points) least = std::min(least, p.x), radius = std::max(radius, p.x);
     if (least < 0) profile = right_half(profile);
     if (!(radius > 0)) return Tessellation{};
 
     const bool whole = s.angle_deg == 360;
-    const int n = s.fragments > 0 ? s.fragments : std::max(1, static_cast<int>(std::ceil(half.turn(radius) * s.angle_deg / 360)));
+    const int n = s.fragments > 0 ? s.fragments : std::max(1, static_cast<int>(std::ceil(turn.turn(radius) * s.angle_deg / 360)));
     // OpenSCAD's whole turn runs clockwise; everything else counter-clockwise.
     const bool clockwise = whole && s.fragments > 0;
     const auto layers = static_cast<std::uint32_t>(whole ? n : n + 1), count = static_cast<std::uint32_t>(profile.points.size());
 
     Tessellation out;
-    out.error = profile.error + (s.fragments > 0 ? 0 : half.chord(radius) * rule.scale);
+    out.error = profile.error + (s.fragments > 0 ? 0 : turn.chord(radius) * rule.scale);
     for (std::uint32_t j = 0; j < layers; ++j) {
         const Vec2 d = direction(s, static_cast<int>(j), n);
         for (const Vec2& p : profile.points) out.mesh.points.emplace_back(p.x * d.x, p.x * d.y, p.y);

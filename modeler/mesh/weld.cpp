@@ -6,6 +6,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "modeler/arrange/edge_order.h"
+
 namespace whittle {
 namespace {
 
@@ -23,7 +25,7 @@ struct BitsHash {
 };
 
 // Which triangles are halves of opposite pairs on the same three corners.
-std::vector<bool> folded(const std::vector<Triangle>& triangles) {
+std::vector<bool> folded(const std::vector<Triangle>& triangles, std::size_t points) {
     struct Entry {
         Triangle corners;
         bool odd;
@@ -38,8 +40,8 @@ std::vector<bool> folded(const std::vector<Triangle>& triangles) {
         if (odd) std::swap(t[1], t[2]);
         entries.push_back({t, odd, static_cast<std::uint32_t>(i)});
     }
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return a.corners != b.corners ? a.corners < b.corners : a.index < b.index; });
+    sort_edges(entries, points, [](const Entry& e) { return e.corners[0]; },
+               [](const Entry& a, const Entry& b) { return a.corners != b.corners ? a.corners < b.corners : a.index < b.index; });
     std::vector<bool> gone(triangles.size(), false);
     for (std::size_t i = 0, j; i < entries.size(); i = j) {
         std::vector<std::uint32_t> even, odd;
@@ -64,7 +66,7 @@ void weld(Mesh& mesh) {
     }
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t) v = joined[v];
-    const std::vector<bool> gone = folded(mesh.triangles);
+    const std::vector<bool> gone = folded(mesh.triangles, distinct.size());
     const bool tagged = !mesh.leaf.empty();
     Mesh out;
     constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
@@ -88,12 +90,14 @@ void weld(Mesh& mesh) {
 std::uint64_t count_open_edges(const std::vector<Triangle>& triangles) {
     std::vector<std::uint64_t> edges;  // (smaller, larger, direction)
     edges.reserve(triangles.size() * 3);
+    std::size_t points = 0;
     for (const Triangle& t : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
+            points = std::max<std::size_t>(points, t[k] + std::size_t{1});
             const std::uint64_t a = t[k], b = t[(k + 1) % 3];
             edges.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
         }
-    std::sort(edges.begin(), edges.end());
+    sort_edges(edges, points, [](std::uint64_t e) { return e >> 33; }, std::less<>());
     std::uint64_t open = 0;
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         std::int64_t balance = 0;

@@ -61,6 +61,23 @@ TEST_CASE("a ball keeps its tolerance and its poles") {
     }
 }
 
+TEST_CASE("a ball has few triangles more than equilateral ones would be") {
+    for (const double tolerance : {0.1, 0.01, 0.002}) {
+        MeshOptions options;
+        options.tolerance_mm = tolerance;
+        const MeshResult r = of(shape::Ellipsoid{Vec3(10)}, options);
+        // A triangle's plane is farthest from the ball at the middle of its circumscribed circle.
+        double most = 0;
+        for (const Triangle& t : r.mesh.triangles) {
+            const Vec3 &a = r.mesh.points[t[0]], &b = r.mesh.points[t[1]], &c = r.mesh.points[t[2]];
+            most = std::max(most, 10 - std::fabs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), a)));
+        }
+        CHECK(most <= tolerance);
+        const double equilateral = 4 * kPi * 10 / (1.5 * std::sqrt(3.0) * tolerance);
+        CHECK(static_cast<double>(r.mesh.triangles.size()) < 1.2 * equilateral);
+    }
+}
+
 TEST_CASE("by default a ball is within a thousandth of its radius") {
     const MeshResult r = of(shape::Ellipsoid{Vec3(10)});
     CHECK(r.tolerance_mm == Approx(0.01));
@@ -74,6 +91,18 @@ TEST_CASE("cylinders and cones") {
     check_inscribed(of(shape::Frustum{-1, 10, 5, 2}), kPi * 11 / 3 * 39, kPi * (29 + 7 * std::hypot(3, 11)));
     check_inscribed(of(shape::Frustum{0, 10, 0, 5}), kPi * 250 / 3, kPi * 5 * (5 + std::hypot(5, 10)));
     check_inscribed(of(shape::Frustum{0, 10, 5, 0}), kPi * 250 / 3, kPi * 5 * (5 + std::hypot(5, 10)));
+}
+
+TEST_CASE("a torus keeps its tolerance, thick or thin, coarse or fine") {
+    for (const double minor : {0.2, 2.0, 7.0, 9.9})
+        for (const double tolerance : {0.1, 0.01}) {
+            MeshOptions options;
+            options.tolerance_mm = tolerance;
+            const MeshResult r = of(shape::Torus{10, minor}, options);
+            CHECK(deepest(r.mesh, [&](const Vec3& p) { return std::hypot(std::hypot(p.x, p.y) - 10, p.z) - minor; }) <= tolerance);
+            CHECK(r.report.genus == 1);
+            CHECK(mesh_bounds(r.mesh) == Bounds{Vec3(-10 - minor, -10 - minor, -minor), Vec3(10 + minor, 10 + minor, minor)});
+        }
 }
 
 TEST_CASE("a torus has a hole and a spindle has none") {
