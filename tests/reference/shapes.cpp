@@ -106,6 +106,14 @@ public:
         return f_.all({full, s.angle_deg < 180 ? f_.all({after, before}) : f_.any({after, before})});
     }
 
+    ExpressionId operator()(const shape::FacetedBall& s) {
+        const int rings = (s.n + 1) / 2;
+        std::vector<Vec2> outline;  // radius, z
+        for (int i = 0; i < rings; ++i) outline.push_back({s.r * sind(180 * (i + 0.5) / rings), s.r * cosd(180 * (i + 0.5) / rings)});
+        return mesh(turned(outline, s.n));
+    }
+    ExpressionId operator()(const shape::FacetedFrustum& s) { return mesh(turned({{s.r1, s.z1}, {s.r0, s.z0}}, s.n)); }
+
     template <class Flat>
     ExpressionId operator()(const Flat&) {
         assert(false && "a 2D shape outside an extrusion or revolution");
@@ -117,6 +125,24 @@ private:
     ExpressionId below(const Form& x, double bound) { return f_.negative(x - Form(bound) * p_.w); }
     ExpressionId box(const Vec3& lo, const Vec3& hi) {
         return f_.all({above(p_.x, lo.x), below(p_.x, hi.x), above(p_.y, lo.y), below(p_.y, hi.y), above(p_.z, lo.z), below(p_.z, hi.z)});
+    }
+
+    // The rings of n corners that an outline (radius, z; from above) makes, closed by its first and last.
+    static FacetList turned(const std::vector<Vec2>& outline, int n) {
+        FacetList m;
+        const auto count = static_cast<std::uint32_t>(n), rings = static_cast<std::uint32_t>(outline.size());
+        for (const Vec2& p : outline)
+            for (int i = 0; i < n; ++i) m.points.push_back({p.x * cosd(360.0 * i / n), p.x * sind(360.0 * i / n), p.y});
+        m.facets.resize(2);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            m.facets[0].push_back(i);
+            m.facets[1].push_back((rings - 1) * count + count - 1 - i);
+            for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
+                const std::uint32_t a = ring * count + i, b = ring * count + (i + 1) % count;
+                m.facets.push_back({a, a + count, b + count, b});
+            }
+        }
+        return m;
     }
 
     // Parity of the triangles (each facet a fan) that lie straight above the point.
@@ -149,7 +175,6 @@ private:
 };
 
 bool has_formula(const Shape& shape) {
-    if (std::holds_alternative<shape::FacetedBall>(shape) || std::holds_alternative<shape::FacetedFrustum>(shape)) return false;
     if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return e->twist_deg == 0 && (e->slices == 0 || e->scale_top.x == e->scale_top.y);
     if (const auto* r = std::get_if<shape::Revolution>(&shape)) return r->fragments == 0;
     return true;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/degrees.h"
+
 namespace whittle::support {
 
 namespace {
@@ -118,6 +120,31 @@ Sketch polyhedron(Dice& dice) {
     return {shape::Polyhedron{std::move(m)}, points};
 }
 
+// Corners of a ring of n, at most eight of them.
+void add_ring(double r, int n, double z, std::vector<Vec3>& points) {
+    for (int i = 0; i < n && i < 8; ++i) points.push_back({r * cosd(360.0 * i / n), r * sind(360.0 * i / n), z});
+}
+
+// Like OpenSCAD's with $fn.
+Sketch faceted(Dice& dice) {
+    const int n = dice.pick({3, 4, 5, 6, 8, 12});
+    const double a = dice.length(), b = dice.length(), h = dice.length();
+    std::vector<Vec3> points{{0, 0, 0}};
+    if (dice.one_in(2)) {
+        const double from = dice.one_in(2) ? 0 : -h, top = dice.pick<double>({a, b, 0});
+        add_ring(a, n, from, points);
+        add_ring(top, n, from + h, points);
+        points.push_back((points[1] + points[2]) * 0.5);
+        return {shape::FacetedFrustum{from, from + h, a, top, n}, points};
+    }
+    const int rings = (n + 1) / 2;
+    for (int i = 0; i < rings && i < 3; ++i) {
+        const double deg = 180 * (i + 0.5) / rings;
+        add_ring(a * sind(deg), n, a * cosd(deg), points);
+    }
+    return {shape::FacetedBall{a, n}, points};
+}
+
 Sketch extrusion(SolidBuilder& builder, Dice& dice, bool planes) {
     const NodeId profile = random_profile(builder, dice, planes, false);
     const double h = dice.length();
@@ -180,7 +207,7 @@ NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right
 }
 
 const char* name_of(ShapeKind kind) {
-    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "twist"};
+    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "faceted", "twist"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -196,6 +223,7 @@ Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice) {
         case ShapeKind::kQuadric: return quadric(dice);
         case ShapeKind::kHalfSpace: return half_space(dice);
         case ShapeKind::kExtrusion: return extrusion(builder, dice, false);
+        case ShapeKind::kFaceted: return faceted(dice);
         case ShapeKind::kTwist: return twist(builder, dice);
         default: return revolution(builder, dice);
     }
@@ -203,10 +231,11 @@ Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice) {
 
 Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire) {
     if (repertoire == Repertoire::kPlanes) {
-        const int kind = dice.integer(0, 9);
+        const int kind = dice.integer(0, 10);
+        if (kind == 10) return faceted(dice);
         return kind < 5 ? box(dice) : kind < 7 ? polyhedron(dice) : kind < 9 ? extrusion(builder, dice, true) : half_space(dice);
     }
-    const int kind = dice.integer(repertoire == Repertoire::kRound ? 4 : 0, 19);
+    const int kind = dice.integer(repertoire == Repertoire::kRound ? 4 : 0, 20);
     if (kind < 3) return box(dice);
     if (kind < 4) return polyhedron(dice);
     if (kind < 7) return ellipsoid(dice);
@@ -217,6 +246,7 @@ Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire) {
     if (kind < 16) return quadric(dice);
     if (kind < 17) return half_space(dice);
     if (kind < 18) return extrusion(builder, dice, false);
+    if (kind == 20) return faceted(dice);
     return revolution(builder, dice);
 }
 
