@@ -11,10 +11,6 @@ bool holds(const Program& program, Ref ref) {
     return ref.is_leaf() ? program.leaves[ref.index()].fills : program.groups[ref.index()].holds;
 }
 
-}  // namespace
-
-namespace {
-
 bool is_mostly_turned(const Program& program) {
     const auto has_turned_sides = [&](const Leaf& leaf) {
         // They stand last.
@@ -24,14 +20,13 @@ bool is_mostly_turned(const Program& program) {
     return 2 * static_cast<std::size_t>(turned) > program.leaves.size();
 }
 
-}  // namespace
+// The leaves that have a class.
+struct Users {
+    std::uint32_t leaf = 0, count = 0;
+    bool silent_cutters = true, of_facets = false, exact = true;
+};
 
-void describe_for_packets(Program& program) {
-    program.mostly_turned = is_mostly_turned(program);
-    struct Users {
-        std::uint32_t leaf = 0, count = 0;
-        bool silent_cutters = true, of_facets = false, exact = true;
-    };
+std::vector<Users> users_of_classes(const Program& program) {
     std::vector<Users> users(program.classes.size());
     const auto meet = [&](ClassId id, std::uint32_t leaf, bool countable) {
         if (id == kNoClass) return;
@@ -44,21 +39,22 @@ void describe_for_packets(Program& program) {
         u.exact = u.exact && program.leaves[leaf].exact;
         if (!countable) u.count += 2;
     };
+    const auto meet_facets = [&](const auto& data, std::uint32_t leaf, const std::vector<ClassId>& classes) {
+        for (const ClassId id : classes) meet(id, leaf, false);
+        for (const ClassId id : data.own) meet(id, leaf, false);
+    };
     for (std::uint32_t i = 0; i < program.leaves.size(); ++i) {
         const Leaf& leaf = program.leaves[i];
         if (leaf.kind == FormulaKind::kCell)
             for (std::uint32_t k = 0; k < leaf.count; ++k) meet(program.half_spaces[leaf.first + k].id(), i, true);
-        if (leaf.kind == FormulaKind::kPrism)
-            for (const auto* classes : {&program.prisms[leaf.first].edges, &program.prisms[leaf.first].own})
-                for (const ClassId id : *classes) meet(id, i, false);
-        if (leaf.kind == FormulaKind::kMesh)
-            for (const auto* classes : {&program.meshes[leaf.first].facets, &program.meshes[leaf.first].own})
-                for (const ClassId id : *classes) meet(id, i, false);
+        if (leaf.kind == FormulaKind::kPrism) meet_facets(program.prisms[leaf.first], i, program.prisms[leaf.first].edges);
+        if (leaf.kind == FormulaKind::kMesh) meet_facets(program.meshes[leaf.first], i, program.meshes[leaf.first].facets);
     }
-    // Packets look for the least use; priorities are a single ray's work.
-    program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
-    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });
-    for (const Users& u : users) {
+    return users;
+}
+
+void label_classes(Program& program) {
+    for (const Users& u : users_of_classes(program)) {
         ClassLabel label;
         if (u.count > 0 && u.silent_cutters) {
             if (program.matter_by_author) label.kind = ClassLabel::Kind::kHeld;
@@ -71,15 +67,25 @@ void describe_for_packets(Program& program) {
         program.some_uncertified = program.some_uncertified || !label.exact;
         program.class_labels.push_back(label);
     }
-    for (const Ref ref : program.refs) {
-        ItemBall ball;
-        if (ref.is_leaf() && program.leaves[ref.index()].kind == FormulaKind::kCell && program.leaves[ref.index()].count == 1 && holds(program, ref)) {
-            const HalfSpace h = program.half_spaces[program.leaves[ref.index()].first];
-            const Support& s = program.classes[h.id()];
-            if (s.kind == SupportKind::kBall && s.frame == 0 && !h.inverted()) ball = {s.p[0], s.p[1], s.p[2], s.p[3], h.id()};
-        }
-        program.balls.push_back(ball);
-    }
+}
+
+ItemBall ball_of(const Program& program, Ref ref) {
+    if (!ref.is_leaf() || program.leaves[ref.index()].kind != FormulaKind::kCell || program.leaves[ref.index()].count != 1 || !holds(program, ref)) return {};
+    const HalfSpace h = program.half_spaces[program.leaves[ref.index()].first];
+    const Support& s = program.classes[h.id()];
+    if (s.kind != SupportKind::kBall || s.frame != 0 || h.inverted()) return {};
+    return {s.p[0], s.p[1], s.p[2], s.p[3], h.id()};
+}
+
+}  // namespace
+
+void describe_for_packets(Program& program) {
+    program.mostly_turned = is_mostly_turned(program);
+    // Packets look for the least use; priorities are a single ray's work.
+    program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
+    program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });
+    label_classes(program);
+    for (const Ref ref : program.refs) program.balls.push_back(ball_of(program, ref));
     // Children stand before their groups.
     for (Group& g : program.groups) {
         for (std::uint32_t i = 0; i < g.plain_count; ++i) g.holds = g.holds || holds(program, program.refs[g.first_plain + i]);
