@@ -26,6 +26,7 @@ namespace {
 constexpr double kEdgeShare = 0.06;
 
 constexpr std::size_t kMostRays = MetTogether::kMost;
+static_assert(kMostRays <= lanes::kMost);
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -61,7 +62,7 @@ std::vector<PixelPlace> pixels_of(TileRegion tile, const BlockSamples& begins, i
 class TileDrawer::Work {
 public:
     Work(const Stage& stage, Scratch& scratch, RenderCounters& counters)
-        : stage_(stage), scratch_(scratch), counters_(counters), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
+        : stage_(stage), scratch_(scratch), integration_(stage, scratch, counters), edges_(stage.options.edges ? new EdgeFinder(stage, scratch) : nullptr),
           camera_(stage, counters), shadows_(stage, scratch, counters) {
         if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
     }
@@ -128,7 +129,6 @@ private:
 
     const Stage& stage_;
     Scratch& scratch_;
-    RenderCounters& counters_;
     Integration integration_;
     Spans spans_;
     Vec3 background_{0};
