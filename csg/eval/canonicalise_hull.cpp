@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "csg/eval/canonicaliser.h"
+#include "csg/solid/convex_body.h"
 #include "csg/solid/convex_hull.h"
 #include "csg/solid/convex_parts.h"
 #include "csg/solid/exact_hull.h"
@@ -13,12 +14,15 @@
 #include "csg/solid/profile.h"
 #include "csg/solid/roof.h"
 #include "csg/solid/section.h"
+#include "csg/solid/use_of.h"
 
 namespace whittle {
 namespace {
 
 // Pieces of a Minkowski sum beyond which it would take hours to combine them.
 constexpr std::size_t kMostPieces = 20000;
+// Parts of a convex body beyond which each ray would take longer than through a mesh.
+constexpr std::size_t kMostParts = 2000;
 // Chord error of a curved floor under a roof, of its size: that of meshes, since every chord costs the roof a wedge on every ray. A crescent's roof has
 // 3e-3 too little volume with it; 1e-4 makes that 5e-4 and 1.6 times the time, 1e-5 makes it less than can be measured and 3.7 times.
 constexpr double kRoofTolerance = 1e-3;
@@ -106,8 +110,12 @@ Made Canonicaliser::hulled(SceneNodeId id) {
     const Operands operands = bare_operands(id);
     if (operands.uses.empty()) return {};
     const HullResult exact = exact_hull(builder_, operands.uses);
-    if (exact.use) return owned(node, *exact.use);
     if (exact.flat) return {};  // as in OpenSCAD: fewer than four points that span space have no hull
+    if (const auto hull = exact.use ? exact.use : convex_hull(operands.uses)) {
+        Made made = owned(node, *hull);
+        convex_.insert(made.use.node);
+        return made;
+    }
     if (operands.dimension == Dimension::kFlat) {
         std::vector<Vec2> points;
         for (const Use& use : operands.uses)
@@ -126,8 +134,43 @@ Made Canonicaliser::hulled(SceneNodeId id) {
     return leaf(node, shape::Polyhedron{std::make_shared<const FacetList>(std::move(*hull))});
 }
 
+// The hull of bodies that are known by how far they reach.
+std::optional<Use> Canonicaliser::convex_hull(const std::vector<Use>& operands) {
+    if (builder_.is_2d(operands[0].node)) return std::nullopt;
+    ConvexParts parts;
+    for (const Use& use : operands) {
+        const auto own = convex_parts_of(builder_.so_far(), use);
+        if (!own) return std::nullopt;
+        parts.insert(parts.end(), own->begin(), own->end());
+    }
+    parts = without_hidden_parts(std::move(parts));
+    if (parts.size() > kMostParts) return std::nullopt;
+    return use_of(builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(std::move(parts))}));
+}
+
+bool Canonicaliser::is_convex(const Use& use) {
+    if (use.motion != 0) return false;
+    if (convex_.count(use.node) != 0) return true;
+    if (const auto* c = std::get_if<Combination>(&builder_.node(use.node)); c && c->operands.size() == 1) {
+        const Use inner = c->operands[0];
+        return is_convex(inner);
+    }
+    return is_known_convex(builder_, use);
+}
+
+std::optional<Use> Canonicaliser::convex_sum(const Use& a, const Use& b) {
+    if (!is_convex(a) || !is_convex(b)) return std::nullopt;
+    const auto p = convex_parts_of(builder_.so_far(), a), q = convex_parts_of(builder_.so_far(), b);
+    if (!p || !q || p->size() * q->size() > kMostParts) return std::nullopt;
+    Use sum = use_of(builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(without_hidden_parts(sums_of(*p, *q)))}));
+    convex_.insert(sum.node);
+    return sum;
+}
+
 Result<Use> Canonicaliser::sum_of(const Use& a, const Use& b) {
     if (const auto exact = exact_minkowski(builder_, a, b)) return *exact;
+    if (!builder_.is_2d(a.node))
+        if (const auto convex = convex_sum(a, b)) return *convex;
     Use out;
     if (builder_.is_2d(a.node)) {
         auto sum = flat_minkowski(outline_of(a), outline_of(b), kMostPieces);

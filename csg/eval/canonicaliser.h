@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,9 @@ private:
     Made owned_polygon(const SceneNode& node, Contours contours);
     Operands bare_operands(SceneNodeId id);
     Result<Use> sum_of(const Use& a, const Use& b);
+    std::optional<Use> convex_sum(const Use& a, const Use& b);
+    std::optional<Use> convex_hull(const std::vector<Use>& operands);
+    bool is_convex(const Use& use);
     Result<std::shared_ptr<const FacetList>> facets_of_use(const char* module, const Use& use);
     Contours outline_of(const Use& flat);
     bool has_corners_only(NodeId id) const;
@@ -128,6 +132,7 @@ private:
     double largest_fn_ = 0;
     bool fonts_known_ = false;     // those that the scene names have been added
     std::map<NodeId, std::shared_ptr<const FacetList>> meshes_;  // what operations without an exact form asked for
+    std::set<NodeId> convex_;                                    // made by hull and minkowski
     std::map<std::string, int> fallbacks_;                       // and how often, by module
 };
 

@@ -399,6 +399,22 @@ HullResult exact_hull(SolidBuilder& builder, const std::vector<Use>& operands) {
     return {};
 }
 
+bool is_known_convex(SolidBuilder& builder, const Use& use) {
+    if (use.motion != 0) return false;
+    if (const auto* c = std::get_if<Combination>(&builder.node(use.node))) {
+        if (c->operands.size() != 1) return false;
+        const Use inner = c->operands[0];
+        return is_known_convex(builder, inner);
+    }
+    const Shape shape = std::get<Shape>(builder.node(use.node));
+    if (std::holds_alternative<shape::Frustum>(shape) || std::holds_alternative<shape::ConvexBody>(shape) || std::holds_alternative<shape::Ellipsoid>(shape)) return true;
+    if (const auto* e = std::get_if<shape::Extrusion>(&shape); e && e->twist_deg == 0 && e->scale_top == Vec2(1)) {
+        const Shape* profile = std::get_if<Shape>(&builder.node(e->profile));
+        if (profile && std::holds_alternative<shape::Disc>(*profile)) return true;
+    }
+    return convex_balls(builder, use_of(use.node)).has_value();
+}
+
 std::optional<Use> exact_minkowski(SolidBuilder& builder, const Use& a, const Use& b) {
     if (builder.is_2d(a.node)) return flat_sum(builder, a, b);
     const auto p = convex_balls(builder, a), q = convex_balls(builder, b);

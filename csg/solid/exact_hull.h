@@ -19,6 +19,9 @@ struct HullResult {
 };
 HullResult exact_hull(SolidBuilder& builder, const std::vector<Use>& operands);
 
+// Is the set, of three dimensions, known to be convex? Not every convex one is: bodies the hull of which is a union of pieces are told by who made them.
+bool is_known_convex(SolidBuilder& builder, const Use& use);
+
 // The sum of two convex sets, or of any 2D set with straight sides and a polygon. Nothing where no exact form is known.
 std::optional<Use> exact_minkowski(SolidBuilder& builder, const Use& a, const Use& b);
 

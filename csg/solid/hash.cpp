@@ -3,6 +3,8 @@
 #include <bit>
 #include <string_view>
 
+#include "csg/solid/convex_body.h"
+
 namespace whittle {
 namespace {
 
@@ -60,6 +62,13 @@ struct AddShape {
     }
     void operator()(const shape::Capsule& s) const { h.add(s.p), h.add(s.q), h.add(s.r); }
     void operator()(const shape::RoundBox& s) const { h.add(s.lo), h.add(s.hi), h.add(s.r); }
+    void operator()(const shape::ConvexBody& s) const {
+        for (const ConvexPart& part : s.hull->parts) {
+            h.add(part.centre);
+            h.add(std::uint64_t{part.images.size()});
+            for (const BallImage& image : part.images) h.add(image.u), h.add(image.v), h.add(image.w);
+        }
+    }
     void operator()(const shape::FacetedBall& s) const { h.add(s.r), h.add(s.n); }
     void operator()(const shape::FacetedFrustum& s) const { h.add(s.z0), h.add(s.z1), h.add(s.r0), h.add(s.r1), h.add(s.n); }
     void operator()(const shape::Polyhedron& s) const { add_numbers(h, *s.mesh); }
@@ -96,6 +105,7 @@ struct DropNegativeZero {
     }
     void operator()(shape::Capsule& s) const { fix(s.p), fix(s.q); }
     void operator()(shape::RoundBox& s) const { fix(s.lo), fix(s.hi), fix(s.r); }
+    void operator()(shape::ConvexBody&) const {}  // has none
     void operator()(shape::FacetedBall&) const {}
     void operator()(shape::FacetedFrustum& s) const { fix(s.z0), fix(s.z1), fix(s.r0), fix(s.r1); }
     void operator()(shape::Polyhedron& s) const {

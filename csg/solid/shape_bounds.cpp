@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/convex_body.h"
 #include "csg/solid/directed.h"
 #include "csg/solid/placement.h"
 #include "csg/solid/predicates.h"
@@ -83,6 +84,19 @@ Bounds capsule_bounds(const shape::Capsule& s) {
     return b;
 }
 
+Bounds convex_bounds(const shape::ConvexBody& s) {
+    Bounds b;
+    for (int i = 0; i < 3; ++i) {
+        Vec3 way(0);
+        way[i] = 1;
+        b.hi[i] = reach(s.hull->parts, way);
+        b.lo[i] = -reach(s.hull->parts, -way);
+    }
+    const double room = kRoom * s.hull->size;
+    for (int i = 0; i < 3; ++i) b.lo[i] = add_down(b.lo[i], -room), b.hi[i] = add_up(b.hi[i], room);
+    return b;
+}
+
 Bounds extrusion_bounds(const shape::Extrusion& s, const Bounds& profile) {
     if (profile.empty()) return {};
     Bounds b{{profile.lo.x, profile.lo.y, s.z0}, {profile.hi.x, profile.hi.y, s.z1}};
@@ -125,6 +139,7 @@ struct BoundsOf {
     Bounds operator()(const shape::Quadric& s) const { return quadric_bounds(s); }
     Bounds operator()(const shape::Capsule& s) const { return capsule_bounds(s); }
     Bounds operator()(const shape::RoundBox& s) const { return {s.lo, s.hi}; }
+    Bounds operator()(const shape::ConvexBody& s) const { return convex_bounds(s); }
     Bounds operator()(const shape::FacetedBall& s) const { return widened(round_bar(s.r, -s.r, s.r), kRoom, 3); }
     Bounds operator()(const shape::FacetedFrustum& s) const {
         return widened(round_bar(std::max(s.r0, s.r1), s.z0, s.z1), kRoom);

@@ -35,6 +35,12 @@ struct FacetList {
     bool operator==(const FacetList&) const = default;
 };
 
+// The image of the unit ball under the matrix of these columns: a ball, an ellipsoid, an ellipse's disc where w is 0, a segment where v is 0 too.
+struct BallImage { Vec3 u, v, w; bool operator==(const BallImage&) const = default; };
+// The Minkowski sum of a point and such images; without any, the point.
+struct ConvexPart { Vec3 centre; std::vector<BallImage> images; bool operator==(const ConvexPart&) const = default; };
+class ConvexHullBody;  // csg/solid/convex_body.h
+
 namespace shape {
 
 struct Box { Vec3 lo, hi; bool operator==(const Box&) const = default; };
@@ -49,6 +55,11 @@ struct HalfSpace { Vec3 n; double d; bool operator==(const HalfSpace&) const = d
 struct Quadric { std::array<double, 10> c; bool operator==(const Quadric&) const = default; };
 struct Capsule { Vec3 p, q; double r; bool operator==(const Capsule&) const = default; };
 struct RoundBox { Vec3 lo, hi; double r; bool operator==(const RoundBox&) const = default; };
+// The convex hull of parts that has an inside.
+struct ConvexBody {
+    std::shared_ptr<const ConvexHullBody> hull;
+    bool operator==(const ConvexBody& o) const;
+};
 // OpenSCAD's n-gon solids (openscad-language 1.15), vertices on +x first.
 struct FacetedBall { double r; int n; bool operator==(const FacetedBall&) const = default; };
 struct FacetedFrustum { double z0, z1, r0, r1; int n; bool operator==(const FacetedFrustum&) const = default; };
@@ -79,7 +90,7 @@ struct ParabolicSegment { Vec2 a, c, b; bool operator==(const ParabolicSegment&)
 }  // namespace shape
 
 using Shape = std::variant<shape::Box, shape::Ellipsoid, shape::Frustum, shape::Torus, shape::HalfSpace, shape::Quadric, shape::Capsule,
-                           shape::RoundBox, shape::FacetedBall, shape::FacetedFrustum, shape::Polyhedron, shape::Extrusion, shape::Revolution,
+                           shape::RoundBox, shape::ConvexBody, shape::FacetedBall, shape::FacetedFrustum, shape::Polyhedron, shape::Extrusion, shape::Revolution,
                            shape::Disc, shape::Rectangle, shape::Polygon, shape::ParabolicSegment>;
 
 // 2D shapes with a side that is not straight.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/convex_body.h"
 #include "csg/solid/facets.h"
 
 namespace whittle {
@@ -37,6 +38,7 @@ struct ReachOf {
     Reach operator()(const shape::Quadric&) const { return std::nullopt; }
     Reach operator()(const shape::Capsule& s) const { return std::max(glm::dot(s.p, d), glm::dot(s.q, d)) + s.r * glm::length(d); }
     Reach operator()(const shape::RoundBox& s) const { return of_box(s.lo + s.r, s.hi - s.r, d) + s.r * glm::length(d); }
+    Reach operator()(const shape::ConvexBody& s) const { return reach(s.hull->parts, d); }
     Reach operator()(const shape::FacetedBall& s) const {
         const int rings = (s.n + 1) / 2;
         double h = -std::numeric_limits<double>::infinity();

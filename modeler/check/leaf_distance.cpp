@@ -144,7 +144,7 @@ Stretch stretch_of(const PlacedLeaf& leaf) {
 
 // No slope of distance_in_frame is greater, p within twice the leaf's size; infinite where none is known.
 double slope_bound(const PlacedLeaf& leaf) {
-    if (std::holds_alternative<shape::Quadric>(leaf.shape)) return kInfiniteDistance;
+    if (std::holds_alternative<shape::Quadric>(leaf.shape) || std::holds_alternative<shape::ConvexBody>(leaf.shape)) return kInfiniteDistance;
     const double outer = widest(leaf.inverse), profile = std::max(1.0, leaf.profile_scale * widest(leaf.profile_inverse));
     if (const auto* r = std::get_if<shape::Revolution>(&leaf.shape))
         return outer * profile / (r->fragments > 0 ? std::cos(r->angle_deg / r->fragments / 2 * M_PI / 180) : 1);

@@ -4,9 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/convex_line.h"
 #include "csg/solid/parabola.h"
 
 namespace whittle {
+
+namespace {
+
+constexpr double kSameNormal = 0x1p-40;  // less than 1 by so little is the cosine of an angle that rounding makes
+constexpr double kBelowFace = 0x1p-30;   // of a body's size
+
+}  // namespace
 
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
     const Vec2 ab = b - a;
@@ -84,6 +92,29 @@ LeafDistance of(const shape::RoundBox& s, Vec3 p) {
     // Off the core in one coordinate only: the flat part.
     const int off = (out.x > 0) + (out.y > 0) + (out.z > 0);
     return off > 1 ? LeafDistance{d, kInfiniteDistance} : LeafDistance{kInfiniteDistance, d};
+}
+
+// The face whose plane touches the body where the line from `from` through p leaves it, and p's distance from that plane.
+struct Touching { const FlatFace* face = nullptr; double distance = kInfiniteDistance; };
+Touching touching(const ConvexHullBody& body, Vec3 from, Vec3 p) {
+    const ConvexSpan span = span_on_line(body, from, p - from, 0);
+    if (span.kind != ConvexSpan::Kind::kMet) return {};
+    const Vec3 n = span.out.normal;
+    const auto is_flat = [&](const FlatFace& face) { return glm::dot(face.n, n) > 1 - kSameNormal; };
+    const auto face = std::find_if(body.faces.begin(), body.faces.end(), is_flat);
+    return {face != body.faces.end() ? &*face : nullptr, std::fabs(glm::dot(n, p) - reach(body.parts, n))};
+}
+
+// From the plane that touches the body beyond the point, seen from its middle: exact in the limit, as the border is neared. Of a flat face the rim too, sought
+// from the face's middle a little below it.
+LeafDistance of(const shape::ConvexBody& s, Vec3 p) {
+    const ConvexHullBody& body = *s.hull;
+    const Touching nearest = touching(body, body.middle, p);
+    if (!nearest.face) return {nearest.distance, kInfiniteDistance};
+    const FlatFace& face = *nearest.face;
+    const Vec3 below = face.middle - kBelowFace * body.size * face.n, across = p - face.n * (glm::dot(face.n, p) - face.d + kBelowFace * body.size);
+    const Touching rim = touching(body, below, across);
+    return {rim.face ? kInfiniteDistance : std::max(rim.distance, nearest.distance), nearest.distance};
 }
 template <class Other>
 LeafDistance of(const Other&, Vec3) { return {}; }

@@ -151,6 +151,7 @@ Result<Tessellation> tessellate(const Solid& solid, NodeId node, const CurveRule
         Answer operator()(const shape::Quadric& s) const { return tessellate_quadric(s, rule, room); }
         Answer operator()(const shape::Capsule& s) const { return tessellate_capsule(s, rule); }
         Answer operator()(const shape::RoundBox& s) const { return tessellate_rounded(s.lo + s.r, s.hi - s.r, s.r, rule); }
+        Answer operator()(const shape::ConvexBody& s) const { return tessellate_convex(s, rule); }
         Answer operator()(const shape::FacetedBall& s) const { return tessellate_faceted_ball(s); }
         Answer operator()(const shape::FacetedFrustum& s) const { return tessellate_faceted_frustum(s); }
         Answer operator()(const shape::Polyhedron& s) const { return tessellate_polyhedron(*s.mesh); }

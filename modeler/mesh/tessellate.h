@@ -27,6 +27,7 @@ Tessellation tessellate_box(const Vec3& lo, const Vec3& hi);
 Tessellation tessellate_rounded(const Vec3& lo, const Vec3& hi, double r, const CurveRule& rule);  // box [lo, hi] grown by r
 Tessellation tessellate_ellipsoid(const Vec3& radii, const CurveRule& rule);
 Tessellation tessellate_capsule(const shape::Capsule& s, const CurveRule& rule);
+Result<Tessellation> tessellate_convex(const shape::ConvexBody& s, const CurveRule& rule);
 Tessellation tessellate_frustum(const shape::Frustum& s, const CurveRule& rule);
 Tessellation tessellate_torus(const shape::Torus& s, const CurveRule& rule);
 Tessellation tessellate_half_space(const shape::HalfSpace& s, const Bounds& room);

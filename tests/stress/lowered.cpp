@@ -44,6 +44,7 @@ public:
             case SupportKind::kTurnedSide:
             case SupportKind::kTurnedEllipse:
             case SupportKind::kTurnedParabola: return swept();
+            case SupportKind::kConvex: return {};  // has no form: trees with it are not asked here
         }
         return {};
     }

@@ -216,7 +216,7 @@ std::size_t ConeFormula::side_of(HalfSpace half_space) {
         if (sides[i].packed == half_space.packed) return i;
     const Support& support = program_->classes[half_space.id()];
     sides.push_back({half_space.packed, departs_from(half_space.id()), {}, {}, {}});
-    if (program_->frames[support.frame].motion != 0 || is_turned(support.kind)) {
+    if (program_->frames[support.frame].motion != 0 || !has_polynomial(support.kind)) {
         readable_ = false;
         return sides.size() - 1;
     }

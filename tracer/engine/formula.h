@@ -40,6 +40,8 @@ class SupportTable {
 public:
     SupportTable();
     FrameId frame(const Placement& placement, MotionId motion, const Twist* twist = nullptr);
+    // The frame with a body in it, new every time: bodies that coincide are told by identity.h.
+    FrameId frame_of(FrameId like, std::shared_ptr<const ConvexHullBody> body);
     SupportId add(const Support& support, const Bounds& box, double rounding, double rounding_per_size);
     // Unbounded occurrences (half-spaces, quadrics) touch the solid only inside its box.
     void bound_by(const Bounds& box);

@@ -58,6 +58,7 @@ private:
     FormulaId operator_shape(const shape::Quadric& s, const Site& site);
     FormulaId operator_shape(const shape::Capsule& s, const Site& site);
     FormulaId operator_shape(const shape::RoundBox& s, const Site& site);
+    FormulaId convex(NodeId id, const shape::ConvexBody& s, const Site& site);
     FormulaId operator_shape(const shape::Extrusion& s, const Site& site);
     FormulaId operator_shape(const shape::Revolution& s, const Site& site);
     FormulaId operator_shape(const shape::Disc& s, const Site& site);

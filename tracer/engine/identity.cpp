@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "tracer/engine/convex.h"
 #include "tracer/engine/mutation.h"
 #include "tracer/engine/turned.h"
 #include "tracer/engine/world_surface.h"
@@ -50,7 +51,7 @@ private:
     void place(SupportId id) {
         const Support& s = table_.supports[id];
         const Frame& frame = table_.frames[s.frame];
-        if (is_turned(s.kind)) {
+        if (!has_polynomial(s.kind)) {
             place_turned(id);
             return;
         }
@@ -80,13 +81,14 @@ private:
         out_.of.push_back(best);
     }
 
+    // Turned sides and convex bodies.
     void place_turned(SupportId id) {
         const Support& s = table_.supports[id];
         const Frame& frame = table_.frames[s.frame];
         ClassOfSupport best{static_cast<ClassId>(out_.supports.size()), false};
         double key = 0;
         if (snap_) {
-            const Vec3 at = turned_middle(frame);
+            const Vec3 at = is_turned(s.kind) ? turned_middle(frame) : convex_middle(frame);
             key = 0.6180339887 * at.x + 0.7548776662 * at.y + 0.5698402910 * at.z;
             const double window = kKeyRounding * (1 + std::abs(key)) + spread_;
             const auto to = turned_.upper_bound(key + window);
@@ -114,7 +116,8 @@ private:
         const Occurrence &a = table_.occurrences[id], &b = table_.occurrences[first];
         const double tolerance = kSnapTolerance * std::max(finite_part(a.extent), finite_part(b.extent)) + a.rounding + b.rounding;
         if (!touching(a.box, b.box, tolerance)) return false;
-        distance = turned_distance(s, table_.frames[s.frame], t, table_.frames[t.frame], flipped);
+        const Frame &in_s = table_.frames[s.frame], &in_t = table_.frames[t.frame];
+        distance = is_turned(s.kind) ? turned_distance(s, in_s, t, in_t, flipped) : convex_distance(in_s, in_t);
         return distance <= tolerance;
     }
 

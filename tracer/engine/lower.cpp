@@ -203,6 +203,8 @@ FormulaId FormulaBuilder::shape(NodeId id, const Shape& shape, Site site) {
                 return belts == kNoFormula ? faceted(id, site) : belts;
             } else if constexpr (std::is_same_v<S, shape::Polyhedron>) {
                 return faceted(id, site);
+            } else if constexpr (std::is_same_v<S, shape::ConvexBody>) {
+                return convex(id, s, site);
             } else if constexpr (std::is_same_v<S, shape::Extrusion>) {
                 if (s.twist_deg == 0 && s.scale_top == Vec2(1)) return operator_shape(s, site);
                 if (const auto* segment = profile_segment(s); segment && s.twist_deg == 0 && s.scale_top.x == s.scale_top.y) return tapered(id, s, *segment, site);

@@ -12,9 +12,10 @@ bool holds(const Program& program, Ref ref) {
 }
 
 bool is_mostly_turned(const Program& program) {
+    // Or bodies known by how far they reach.
     const auto has_turned_sides = [&](const Leaf& leaf) {
         // They stand last.
-        return leaf.kind == FormulaKind::kCell && leaf.count > 0 && is_turned(program.classes[program.half_spaces[leaf.first + leaf.count - 1].id()].kind);
+        return leaf.kind == FormulaKind::kCell && leaf.count > 0 && !has_polynomial(program.classes[program.half_spaces[leaf.first + leaf.count - 1].id()].kind);
     };
     const auto turned = std::count_if(program.leaves.begin(), program.leaves.end(), has_turned_sides);
     return 2 * static_cast<std::size_t>(turned) > program.leaves.size();

@@ -69,6 +69,12 @@ FrameId SupportTable::frame(const Placement& placement, MotionId motion, const T
     return id;
 }
 
+FrameId SupportTable::frame_of(FrameId like, std::shared_ptr<const ConvexHullBody> body) {
+    frames.push_back(frames[like]);
+    frames.back().body = std::move(body);
+    return static_cast<FrameId>(frames.size() - 1);
+}
+
 SupportId SupportTable::add(const Support& support, const Bounds& box, double rounding, double rounding_per_size) {
     const double extent = box.empty() ? 0 : std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
     const std::uint64_t h = hash_of(support.p, static_cast<std::uint64_t>(support.kind) * 8 + support.axis + (std::uint64_t{support.frame} << 8));
@@ -324,6 +330,10 @@ HalfSpaceRef Placer::turned_ellipse(Vec2 centre, Vec2 u, Vec2 v) { return add(Su
 HalfSpaceRef Placer::turned_parabola(Vec2 a, Vec2 c, Vec2 b) {
     if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) std::swap(a, b);
     return add(SupportKind::kTurnedParabola, 2, {a.x, a.y, c.x, c.y, b.x, b.y}, false);
+}
+
+HalfSpaceRef Placer::convex(std::shared_ptr<const ConvexHullBody> body) {
+    return add_to(formula_.table.frame_of(frame_, std::move(body)), SupportKind::kConvex, 0, {}, false);
 }
 
 SupportId Placer::facet(const Vec3& a, const Vec3& b, const Vec3& c) {

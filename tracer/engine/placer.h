@@ -36,6 +36,7 @@ public:
     // The image of the unit disc: u and v are where its axes go.
     HalfSpaceRef turned_ellipse(Vec2 centre, Vec2 u, Vec2 v);
     HalfSpaceRef turned_parabola(Vec2 a, Vec2 c, Vec2 b);
+    HalfSpaceRef convex(std::shared_ptr<const ConvexHullBody> body);  // needs kNothing
     SupportId facet(const Vec3& a, const Vec3& b, const Vec3& c);
     // Inside on the left of a -> b, given in the frame's coordinates axis+1, axis+2. Requires: a != b.
     HalfSpaceRef edge_side(int axis, Vec2 a, Vec2 b);

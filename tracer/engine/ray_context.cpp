@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "tracer/engine/convex.h"
 
 namespace whittle {
 
@@ -68,6 +69,7 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
             if (!same_bits(moved_[id].placement, now)) {
                 moved_[id] = make_frame(now);
                 moved_[id].twist = f.twist;
+                moved_[id].body = f.body;
             }
             frame_rays_[id] = ray_in_frame(moved_[id], ray_);
         }
@@ -92,7 +94,7 @@ bool RayContext::leaves(ClassId id) const {
 }
 
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
-    if (is_turned(s.kind)) return turned_crossings(id, s, out);
+    if (!has_polynomial(s.kind)) return shared_crossings(id, s, out);
     const FrameRay& local = frame_ray(s.frame);
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
     if (decided || !kCertifies) return;
@@ -100,14 +102,20 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
     if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
 }
 
-void RayContext::turned_crossings(ClassId id, const Support& s, Crossings& out) {
+void RayContext::shared_crossings(ClassId id, const Support& s, Crossings& out) {
     TurnedMemory::Side& side = turned_.side(id, stamp_);
     if (side.stamp != stamp_) {
         side.id = id;
         side.stamp = stamp_;
-        find_turned(id, s, side.crossings);
+        is_turned(s.kind) ? find_turned(id, s, side.crossings) : find_convex(id, s, side.crossings);
     }
     out = side.crossings;
+}
+
+void RayContext::find_convex(ClassId id, const Support& s, Crossings& out) {
+    if (convex_crossings(frame(s.frame), frame_ray(s.frame), leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
+    leave_unsettled(id);
+    unsettled_convex(frame(s.frame), ray_, leaves(id), out);
 }
 
 void RayContext::find_turned(ClassId id, const Support& s, Crossings& out) {
@@ -165,6 +173,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
     }
     const Support& s = program_->classes[e.id];
     if (is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
+    if (!has_polynomial(s.kind)) return false;
     return fine_crossing(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
 }
 
@@ -183,7 +192,7 @@ int RayContext::compare_closely(const Event& a, const Event& b) {
 
 int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
-    // There is no exact form of a twisted side: what double-double cannot tell apart is one place.
+    // There is no exact form of a twisted side or a convex body: what bounds cannot tell apart is one place.
     for (const Event* e : {&a, &b}) {
         if (e->id == kNoClass || !is_transcendental(e->id)) continue;
         leave_unsettled(e->id);

@@ -25,7 +25,7 @@ struct Event {
     bool before = false;
 };
 
-// What was found of turned sides on the ray, which cells share: the last few of each.
+// What was found of turned sides and convex bodies on the ray, which cells share: the last few of each.
 class TurnedMemory {
 public:
     struct Piece {
@@ -118,7 +118,8 @@ private:
     bool leaves(ClassId id) const;
     void leave_unsettled(ClassId id);
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
-    void turned_crossings(ClassId id, const Support& s, Crossings& out);
+    void shared_crossings(ClassId id, const Support& s, Crossings& out);
+    void find_convex(ClassId id, const Support& s, Crossings& out);
     void find_turned(ClassId id, const Support& s, Crossings& out);
     const Exact& exact(ClassId id);
     int compare_closely(const Event& a, const Event& b);

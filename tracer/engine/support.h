@@ -31,6 +31,7 @@ struct Twist {
 struct Frame {
     Placement placement;
     std::shared_ptr<const Twist> twist;  // of turned sides: null for all others
+    std::shared_ptr<const ConvexHullBody> body;  // of a convex body likewise
     std::array<double, 9> inverse{1, 0, 0, 0, 1, 0, 0, 0, 1};
     MotionId motion = 0;  // the placement is then the one inside the motion; the whole one depends on the time
     bool identity = true;
@@ -60,7 +61,8 @@ enum class SupportKind : std::uint8_t {
     // Swept along the third axis of a frame with a twist (turned.h), given in the profile: polynomials on a ray only where it does not turn.
     kTurnedSide,     // the line through (p0,p1) and (p2,p3), inside on the left
     kTurnedEllipse,  // centre p0-1, the image of the unit disc under the matrix p2 p3 / p4 p5
-    kTurnedParabola  // from p0-1 to p4-5 with control point p2-3
+    kTurnedParabola, // from p0-1 to p4-5 with control point p2-3
+    kConvex          // the convex body of the frame (convex.h)
 };
 
 struct Support {
@@ -73,13 +75,16 @@ struct Support {
 
 inline bool is_plane(SupportKind k) { return k <= SupportKind::kEdgePlane; }
 
-inline bool is_turned(SupportKind k) { return k >= SupportKind::kTurnedSide; }
+inline bool is_turned(SupportKind k) { return k >= SupportKind::kTurnedSide && k <= SupportKind::kTurnedParabola; }
+
+// Has the support a polynomial on every ray?
+inline bool has_polynomial(SupportKind k) { return k < SupportKind::kTurnedSide; }
 
 // Is the support in the frame no algebraic surface, for which there is no exact tier?
-inline bool is_transcendental(SupportKind k, const Frame& frame) { return is_turned(k) && frame.twist->degrees != 0; }
+inline bool is_transcendental(SupportKind k, const Frame& frame) { return k == SupportKind::kConvex || (is_turned(k) && frame.twist->degrees != 0); }
 
-// Degree of the support's polynomial on a ray: 1, 2 or 4; 0 of turned sides, which may have none.
-inline int degree_of(SupportKind k) { return is_turned(k) ? 0 : is_plane(k) ? 1 : k == SupportKind::kTorus ? 4 : 2; }
+// Degree of the support's polynomial on a ray: 1, 2 or 4; 0 of turned sides, which may have none, and of convex bodies.
+inline int degree_of(SupportKind k) { return !has_polynomial(k) ? 0 : is_plane(k) ? 1 : k == SupportKind::kTorus ? 4 : 2; }
 
 // A ray in a frame, homogeneous: local point = (o + t d) / w, with w > 0.
 template <class N>
@@ -300,7 +305,7 @@ LinePolynomial<N> torus(const Support& s, const FrameLine<N>& l) {
 
 }  // namespace polynomial
 
-// The support's polynomial along a line given in its frame. Requires: it is not turned.
+// The support's polynomial along a line given in its frame. Requires: has_polynomial().
 template <class N>
 LinePolynomial<N> support_polynomial(const Support& s, const FrameLine<N>& line) {
     if (is_plane(s.kind)) return polynomial::of(polynomial::plane(s, line));

@@ -376,15 +376,15 @@ void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
 
 bool Walker::are_certain(const std::vector<Cause>& causes) const {
     const Program& program = context_.program();
-    const auto is_turned_side = [&](ClassId id) { return is_turned(program.classes[id].kind); };
+    const auto may_be_unsettled = [&](ClassId id) { return !has_polynomial(program.classes[id].kind); };
     for (const Cause& c : causes) {
         const Leaf& leaf = program.leaves[c.leaf];
         if (!leaf.exact) return false;
         if (leaf.kind != FormulaKind::kCell) continue;
-        // Turned sides stand last.
+        // They stand last.
         for (std::uint32_t k = leaf.count; k-- > 0;) {
             const ClassId id = program.half_spaces[leaf.first + k].id();
-            if (!is_turned_side(id)) break;
+            if (!may_be_unsettled(id)) break;
             if (context_.unsettled(id)) return false;
         }
         if (!context_.is_transcendental(c.event.id)) continue;

@@ -22,7 +22,7 @@ struct WorldSurface {
     Real ring = 0, tube = 0;  // a torus's, times the mean stretch of its frame
 };
 
-// Requires: the support is not turned.
+// Requires: has_polynomial().
 WorldSurface world_surface(const Support& support, const Frame& frame);
 
 // The quadric's ten coefficients (xx yy zz xy xz yz x y z 1, mixed and linear ones halved) with x = centre + extent * y; the largest is 1 in magnitude and

@@ -31,7 +31,7 @@ TEST_CASE("a font that is not installed is a warning that names the one that sta
 
 TEST_CASE("what has no exact form is said once and counted") {
     const TemporaryFolder folder;
-    const std::string bent = "hull() { rotate([90, 0, 0]) cylinder(h = 2, r = 1); translate([5, 0, 0]) cylinder(h = 1, r1 = 2, r2 = 1); }\n";
+    const std::string bent = "hull() { intersection() { sphere(2); cube(3); } translate([5, 0, 0]) cylinder(h = 1, r1 = 2, r2 = 1); }\n";
     const std::string scene = folder.file("part.scad", bent + "translate([0, 9, 0]) " + bent);
     const Outcome out = run_whittle({"spans", scene, "--ray=-5,0,0.5,1,0,0", "--stats", folder.name("s.json")});
     CHECK(out.code == 0);
@@ -39,6 +39,21 @@ TEST_CASE("what has no exact form is said once and counted") {
     REQUIRE(first != std::string::npos);
     CHECK(out.err.find("hull() has no exact form here", first + 1) == std::string::npos);
     CHECK(contains(folder.read("s.json"), "\"mesh.fallback\": 2"));  // the second hull finds the meshes of the first
+}
+
+TEST_CASE("hulls and sums of convex bodies that share no axis go through no mesh") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", "hull() { sphere(5); translate([20, 0, 0]) cylinder(r = 3, h = 10); }\n"
+                                                       "translate([0, 40, 0]) minkowski() { rotate([90, 0, 30]) cylinder(r = 3, h = 10); scale([1, 2, 3]) sphere(1); }\n");
+    const Outcome out = run_whittle({"spans", scene, "--ray=-10,0,0,1,0,0", "--json", "--stats", folder.name("s.json")});
+    CHECK(out.code == 0);
+    CHECK_FALSE(contains(out.err, "no exact form"));
+    CHECK(contains(folder.read("s.json"), "\"mesh.fallback\": 0"));
+    CHECK(contains(out.out, "\"certified\":true"));
+    CHECK_FALSE(contains(out.out, "\"certified\":false"));
+    const Outcome checked = run_whittle({"check", scene});
+    CHECK(checked.code == 0);
+    CHECK(contains(checked.out, "genus 0, 2 shells"));
 }
 
 TEST_CASE("OPENSCAD_FONT_PATH names folders of fonts") {

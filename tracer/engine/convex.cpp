@@ -1,0 +1,108 @@
+#include "tracer/engine/convex.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/solid/convex_line.h"
+#include "csg/span/perturbation.h"
+
+namespace whittle {
+
+namespace {
+
+// Of the body's size: how far outside of a flat face the body's own crossing is put. More than snapping moves planes by.
+constexpr double kOutside = 0x1p-26;
+
+Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+double size_of(const std::array<double, 3>& v) { return glm::length(vector_of(v)); }
+
+// Is the border, which side 1 enters and -1 leaves, in a flat face? Then it goes outside.
+void yield_to_faces(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room, double side, ConvexSpan::Border& border) {
+    for (const FlatFace& face : body.faces) {
+        const double along = glm::dot(face.n, d);
+        if (!(side * along < 0)) continue;
+        const double t = (face.d - glm::dot(face.n, o)) / along;
+        const double rounding = (room + 0x1p-48 * (std::abs(face.d) + glm::length(o) + body.size)) / std::abs(along);
+        if (!(std::abs(t - border.t) <= border.error + rounding)) continue;
+        border.t = t - side * kOutside * body.size / std::abs(along);
+        border.error = rounding;
+        border.certain = true;
+    }
+}
+
+// `certain` is false where the answer is no certificate.
+bool crossings_of(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room, bool leaving, Crossings& out, bool& certain) {
+    out.count = 0;
+    out.first_sign = 1;
+    certain = true;
+    const double span = glm::length(o - body.middle) + body.size, length = glm::length(d);
+    if (!std::isfinite(span / length) || !(room < 0x1p-14 * body.size)) return false;
+    ConvexSpan found = span_on_line(body, o, d, room);
+    if (found.kind == ConvexSpan::Kind::kUnclear) return false;
+    if (found.kind == ConvexSpan::Kind::kMissed) return !leaving;
+    yield_to_faces(body, o, d, room, 1, found.in);
+    yield_to_faces(body, o, d, room, -1, found.out);
+    if (leaving) {
+        ConvexSpan::Border& here = std::abs(found.in.t) < std::abs(found.out.t) ? found.in : found.out;
+        here.t = here.error = 0;
+        here.certain = true;
+    }
+    if (!(found.in.t + found.in.error < found.out.t - found.out.error)) return false;
+    certain = found.in.certain && found.out.certain;
+    out.count = 2;
+    out.t[0] = found.in.t, out.error[0] = found.in.error;
+    out.t[1] = found.out.t, out.error[1] = found.out.error;
+    return true;
+}
+
+}  // namespace
+
+bool convex_crossings(const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out) {
+    const ConvexHullBody& body = *frame.body;
+    const Vec3 o = vector_of(ray.o), d = vector_of(ray.d);
+    const double far = (glm::length(o - body.middle) + body.size) / glm::length(d);
+    bool certain = false;
+    return crossings_of(body, o, d, size_of(ray.eo) + far * size_of(ray.ed), leaving, out, certain) && certain;
+}
+
+void unsettled_convex(const Frame& frame, const Ray& ray, bool leaving, Crossings& out) {
+    const ConvexHullBody& body = *frame.body;
+    double scale = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) scale = std::max(scale, std::abs(frame.placement.linear(i, j)));
+    const double size = body.size * scale;
+    for (const double share : {0.0, 0x1p-50, 0x1p-44, 0x1p-38, 0x1p-32}) {
+        Ray moved = ray;
+        moved.origin += share * size * kPerturbation[0];
+        const FrameRay local = ray_in_frame(frame, moved);
+        bool certain = false;
+        if (crossings_of(body, vector_of(local.o), vector_of(local.d), 0, leaving, out, certain)) return;
+    }
+    out.count = 0;
+    out.first_sign = 1;
+}
+
+Vec3 convex_gradient(const Frame& frame, const Vec3& point) {
+    const ConvexHullBody& body = *frame.body;
+    const ConvexSpan span = span_on_line(body, body.middle, point - body.middle, 0);
+    return span.kind == ConvexSpan::Kind::kMet ? span.out.normal : point - body.middle;
+}
+
+Vec3 convex_middle(const Frame& frame) { return apply_to_point(frame.placement, frame.body->middle); }
+
+double convex_distance(const Frame& a, const Frame& b) {
+    const ConvexParts &p = a.body->parts, &q = b.body->parts;
+    if (p.size() != q.size()) return HUGE_VAL;
+    double worst = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p[i].images.size() != q[i].images.size()) return HUGE_VAL;
+        double apart = glm::distance(apply_to_point(a.placement, p[i].centre), apply_to_point(b.placement, q[i].centre));
+        for (std::size_t k = 0; k < p[i].images.size(); ++k)
+            for (Vec3 BallImage::*column : {&BallImage::u, &BallImage::v, &BallImage::w})
+                apart += glm::distance(apply_to_direction(a.placement, p[i].images[k].*column), apply_to_direction(b.placement, q[i].images[k].*column));
+        worst = std::max(worst, apart);
+    }
+    return worst;
+}
+
+}  // namespace whittle
