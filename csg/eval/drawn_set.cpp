@@ -138,6 +138,20 @@ private:
             }
         }
         line_to(contour.start);
+        return out.size() == 2 ? with_area(out) : out;
+    }
+
+    // The chords of two curves enclose nothing: which side of them is within shows once they are halved.
+    static Sides with_area(const Sides& lens) {
+        Sides out;
+        for (const Side& side : lens) {
+            if (side.bulge == 0 && !side.control) {
+                out.push_back(side);
+                continue;
+            }
+            const auto [first, second] = halves_of(side);
+            out.insert(out.end(), {first, second});
+        }
         return out;
     }
 

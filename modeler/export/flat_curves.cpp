@@ -9,11 +9,11 @@ namespace whittle {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-// Steps along one ellipse where another may cross it: two ellipses cross at most four times.
+// Steps along a curve where another may cross it: ellipses and parabolas cross at most four times.
 constexpr int kSteps = 256;
 constexpr int kHalvings = 60;
-// Chord error of a parabola, of its chord.
-constexpr double kParabolaShare = 0x1p-12;
+// Of a Bezier curve's parameter: a crossing so near to an end that meets the other curve is that end, seen at a small angle.
+constexpr double kSameEnd = 0x1p-20;
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -102,6 +102,61 @@ void ellipses(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vec
     }
 }
 
+// The parameters of a Bezier curve where f of its point changes sign.
+template <class F>
+std::vector<double> sign_changes(const FlatCurve& p, F f) {
+    std::vector<double> out;
+    for (int i = 0; i < kSteps; ++i) {
+        double t0 = static_cast<double>(i) / kSteps, t1 = static_cast<double>(i + 1) / kSteps;
+        const bool above = f(p.at(t0)) > 0;
+        if (above == (f(p.at(t1)) > 0)) continue;
+        for (int k = 0; k < kHalvings; ++k) {
+            const double middle = (t0 + t1) / 2;
+            ((f(p.at(middle)) > 0) == above ? t0 : t1) = middle;
+        }
+        out.push_back(t0);
+    }
+    return out;
+}
+
+// S^2 + D T of tracer/engine's parabolas, here with the curve's own numbers: 0 on it, negative on the side of its focus.
+double beyond_parabola(const FlatCurve& q, Vec2 p) {
+    const Vec2 e = q.b - q.a, f = q.c - q.a, g = 2.0 * f - e, r = p - q.a;
+    const double whole = cross(e, f), across = whole + cross(g, r), along = 2 * cross(e, r) - whole;
+    return across * across + whole * along;
+}
+
+// On the line, Bezier curve or ellipse, up to the tolerance?
+bool is_on(const FlatCurve& q, Vec2 p, double tolerance) {
+    if (q.curved) return std::fabs(glm::length(in_frame(q, p)) - 1) * std::sqrt(std::fabs(cross(q.u, q.v))) <= tolerance;
+    double t = 0;
+    if (!q.quadratic) return distance_to_line(q, p, t) <= tolerance;
+    return glm::length(q.at(std::clamp(q.parameter(p), 0.0, 1.0)) - p) <= tolerance;
+}
+
+double outside_of(const FlatCurve& q, Vec2 p) {
+    if (q.curved) return glm::length(in_frame(q, p)) - 1;
+    return q.quadratic ? beyond_parabola(q, p) : cross(q.b - q.a, p - q.a);
+}
+
+// p is a Bezier curve, q anything.
+void bezier(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vector<Vec2>& out) {
+    std::vector<double> ends;
+    const auto end = [&](Vec2 at) {
+        out.push_back(at);
+        ends.push_back(p.parameter(at));
+    };
+    for (const Vec2& at : {p.a, p.b})
+        if (is_on(q, at, tolerance)) end(at);
+    if (!q.curved)
+        for (const Vec2& at : {q.a, q.b})
+            if (is_on(p, at, tolerance)) end(at);
+    for (const double t : sign_changes(p, [&](Vec2 at) { return outside_of(q, at); })) {
+        const bool is_end = std::any_of(ends.begin(), ends.end(), [&](double e) { return std::fabs(e - t) <= kSameEnd; });
+        if (!is_end && is_on(q, p.at(t), tolerance)) out.push_back(p.at(t));
+    }
+}
+
 std::optional<Placement> inverse_in_plane(const Placement& a) {
     const double det = a.m[0] * a.m[5] - a.m[1] * a.m[4];
     if (det == 0) return std::nullopt;
@@ -117,6 +172,7 @@ Vec2 turned(const Placement& a, Vec2 d) { return Vec2(apply_to_direction(a, {d.x
 
 bool in_shape(const Shape& shape, Vec2 p) {
     if (const auto* s = std::get_if<shape::Disc>(&shape)) return glm::dot(p, p) < s->r * s->r;
+    if (const auto* s = std::get_if<shape::ParabolicSegment>(&shape)) return is_inside(*s, p);
     if (const auto* s = std::get_if<shape::Rectangle>(&shape)) return p.x > s->lo.x && p.y > s->lo.y && p.x < s->hi.x && p.y < s->hi.y;
     const auto* s = std::get_if<shape::Polygon>(&shape);
     if (!s) return false;
@@ -132,10 +188,23 @@ bool in_shape(const Shape& shape, Vec2 p) {
 
 }  // namespace
 
-Vec2 FlatCurve::at(double t) const { return curved ? centre + u * std::cos(t) + v * std::sin(t) : a + (b - a) * t; }
-Vec2 FlatCurve::along(double t) const { return curved ? v * std::cos(t) - u * std::sin(t) : b - a; }
+Vec2 FlatCurve::at(double t) const {
+    if (quadratic) return parabola_point({a, c, b}, t);
+    return curved ? centre + u * std::cos(t) + v * std::sin(t) : a + (b - a) * t;
+}
+Vec2 FlatCurve::along(double t) const {
+    if (quadratic) return (c - a) * (1 - t) + (b - c) * t;
+    return curved ? v * std::cos(t) - u * std::sin(t) : b - a;
+}
+Vec2 FlatCurve::control(double t0, double t1) const {
+    return a * ((1 - t0) * (1 - t1)) + c * ((1 - t0) * t1 + (1 - t1) * t0) + b * (t0 * t1);
+}
 double FlatCurve::last() const { return curved ? kTurn : 1; }
 double FlatCurve::parameter(Vec2 p) const {
+    if (quadratic) {
+        const Vec2 axis = (b - a) - 2.0 * (c - a);
+        return cross(p - a, axis) / (2 * cross(c - a, b - a));
+    }
     if (!curved) return glm::dot(p - a, b - a) / glm::dot(b - a, b - a);
     const Vec2 q = in_frame(*this, p);
     const double t = std::atan2(q.y, q.x);
@@ -149,6 +218,14 @@ FlatCurve flat_line(Vec2 a, Vec2 b) {
     return c;
 }
 
+FlatCurve flat_parabola(Vec2 a, Vec2 c, Vec2 b) {
+    FlatCurve p = flat_line(a, b);
+    p.quadratic = true;
+    p.c = c;
+    p.lo = glm::min(p.lo, c), p.hi = glm::max(p.hi, c);
+    return p;
+}
+
 FlatCurve flat_ellipse(Vec2 centre, Vec2 u, Vec2 v) {
     FlatCurve c;
     c.curved = true;
@@ -160,6 +237,8 @@ FlatCurve flat_ellipse(Vec2 centre, Vec2 u, Vec2 v) {
 
 void meetings(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vector<Vec2>& out) {
     if (p.lo.x > q.hi.x + tolerance || q.lo.x > p.hi.x + tolerance || p.lo.y > q.hi.y + tolerance || q.lo.y > p.hi.y + tolerance) return;
+    if (p.quadratic) return bezier(p, q, tolerance, out);
+    if (q.quadratic) return bezier(q, p, tolerance, out);
     if (!p.curved && !q.curved) return lines(p, q, tolerance, out);
     if (!p.curved) return line_ellipse(p, q, tolerance, out);
     if (!q.curved) return line_ellipse(q, p, tolerance, out);
@@ -169,23 +248,20 @@ void meetings(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vec
 
 FlatSet::FlatSet(const Solid& solid) { root_ = add(solid, solid.root().node, solid.root().placement); }
 
-const Shape& FlatSet::with_chords(const Shape& shape) {
-    const auto* s = std::get_if<shape::ParabolicSegment>(&shape);
-    if (!s) return shape;
-    std::vector<std::vector<Vec2>> ring{parabola_corners(*s, parabola_chords(*s, kParabolaShare * glm::length(s->b - s->a)))};
-    polygons_.push_back(std::make_unique<Shape>(shape::Polygon{std::make_shared<const std::vector<std::vector<Vec2>>>(std::move(ring))}));
-    return *polygons_.back();
-}
-
 std::uint32_t FlatSet::add(const Solid& solid, NodeId id, const Placement& placement) {
     Node node{};
     if (const auto* c = std::get_if<Combination>(&solid.node(id))) {
         node.op = c->op;
         for (const Use& use : c->operands) node.operands.push_back(add(solid, use.node, placement * use.placement));
     } else {
-        const Shape& shape = with_chords(std::get<Shape>(solid.node(id)));
+        const auto& shape = std::get<Shape>(solid.node(id));
         const std::size_t first = curves_.size();
         if (const auto* s = std::get_if<shape::Disc>(&shape)) curves_.push_back(flat_ellipse(moved(placement, Vec2(0)), turned(placement, {s->r, 0}), turned(placement, {0, s->r})));
+        if (const auto* s = std::get_if<shape::ParabolicSegment>(&shape)) {
+            const FlatCurve arc = flat_parabola(moved(placement, s->a), moved(placement, s->c), moved(placement, s->b));
+            curves_.push_back(flat_line(arc.a, arc.b));
+            curves_.push_back(arc);
+        }
         std::vector<std::vector<Vec2>> rings;
         if (const auto* s = std::get_if<shape::Rectangle>(&shape)) rings = {{s->lo, {s->hi.x, s->lo.y}, s->hi, {s->lo.x, s->hi.y}}};
         if (const auto* s = std::get_if<shape::Polygon>(&shape)) rings = *s->contours;

@@ -77,6 +77,17 @@ public:
         group(50, shortest(angle_deg(s.centre, s.turn() > 0 ? from : s.end)));
         group(51, shortest(angle_deg(s.centre, s.turn() > 0 ? s.end : from)));
     }
+    // Degree 2, clamped at both ends: the Bezier curve. In a plane (8).
+    void spline(Vec2 from, const OutlineSide& s) {
+        entity("SPLINE");
+        group(70, "8");
+        group(71, "2");
+        group(72, "6");
+        group(73, "3");
+        group(74, "0");
+        for (const char* knot : {"0", "0", "0", "1", "1", "1"}) group(40, knot);
+        for (const Vec2& p : {from, s.control, s.end}) point(10, p);
+    }
     std::string take() { return std::move(text_); }
 
 private:
@@ -126,6 +137,7 @@ std::string svg_text(const std::vector<Outline>& outlines) {
         out += fmt::format("M {} {}", shortest(o.start.x), shortest(-o.start.y));
         for (const OutlineSide& s : o.sides) {
             if (s.curved) out += svg_arc(s);
+            else if (s.quadratic) out += fmt::format(" Q {} {} {} {}", shortest(s.control.x), shortest(-s.control.y), shortest(s.end.x), shortest(-s.end.y));
             else if (&s != &o.sides.back()) out += fmt::format(" L {} {}", shortest(s.end.x), shortest(-s.end.y));
         }
         out += " Z\n";
@@ -141,6 +153,7 @@ std::string dxf_text(const std::vector<Outline>& outlines) {
         Vec2 at = o.start;
         for (const OutlineSide& s : o.sides) {
             if (s.curved) out.arc(at, s);
+            else if (s.quadratic) out.spline(at, s);
             else out.line(at, s.end);
             at = s.end;
         }
@@ -157,7 +170,13 @@ std::string pdf_text(const std::vector<Outline>& outlines) {
     std::string path = "0.8 g\n";
     for (const Outline& o : outlines) {
         path += place(o.start) + " m\n";
-        for (const OutlineSide& s : o.sides) path += s.curved ? pdf_curves(s, kPointsPerMm, box.lo) : place(s.end) + " l\n";
+        Vec2 at = o.start;
+        for (const OutlineSide& s : o.sides) {
+            if (s.curved) path += pdf_curves(s, kPointsPerMm, box.lo);
+            else if (s.quadratic) path += place((at + 2.0 * s.control) / 3.0) + " " + place((s.end + 2.0 * s.control) / 3.0) + " " + place(s.end) + " c\n";
+            else path += place(s.end) + " l\n";
+            at = s.end;
+        }
         path += "h\n";
     }
     path += "f*\n";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "csg/solid/parabola.h"
 #include "modeler/export/flat_curves.h"
 
 namespace whittle {
@@ -160,10 +161,11 @@ private:
         return out;
     }
 
-    // Do two pieces in a row lie on one line or ellipse?
+    // Do two pieces in a row lie on one line, ellipse or parabola?
     bool same_support(const Piece& p, const Piece& q) const {
         const FlatCurve &a = set_.curves()[p.curve], &b = set_.curves()[q.curve];
-        if (a.curved != b.curved) return false;
+        if (a.curved != b.curved || a.quadratic != b.quadratic) return false;
+        if (a.quadratic) return a.a == b.a && a.c == b.c && a.b == b.b && (p.t1 > p.t0) == (q.t1 > q.t0);
         if (a.curved) return a.centre == b.centre && a.u == b.u && a.v == b.v && (p.t1 > p.t0) == (q.t1 > q.t0);
         const Vec2 corner = points_[q.from], d = points_[p.from] - corner, e = points_[q.to] - corner;
         return std::fabs(cross(d, e)) <= size_ * kOutlineJoin * glm::length(e - d) && glm::dot(d, e) < 0;
@@ -190,8 +192,10 @@ private:
                 out.sides.back().end = points_[p.to];
                 out.sides.back().to += p.t1 - p.t0;
             } else {
-                out.sides.push_back({points_[p.to], curve.curved, curve.centre, curve.u, curve.v, p.t0, p.t1});
+                out.sides.push_back({points_[p.to], curve.curved, curve.centre, curve.u, curve.v, p.t0, p.t1, curve.quadratic, Vec2(0)});
             }
+            OutlineSide& side = out.sides.back();
+            if (side.quadratic) side.control = curve.control(side.from, side.to);
         }
         return out;
     }
@@ -223,8 +227,15 @@ OutlineBox box_of(const std::vector<Outline>& outlines) {
     OutlineBox box{outlines.front().start, outlines.front().start};
     const auto add = [&](Vec2 p) { box.lo = glm::min(box.lo, p), box.hi = glm::max(box.hi, p); };
     for (const Outline& o : outlines) {
+        Vec2 at = o.start;
         for (const OutlineSide& s : o.sides) {
+            const Vec2 start = at;
+            at = s.end;
             add(s.end);
+            for (int axis = 0; s.quadratic && axis < 2; ++axis) {
+                const double rise = s.control[axis] - start[axis], fall = s.control[axis] - s.end[axis], t = rise / (rise + fall);
+                if (t > 0 && t < 1) add(parabola_point({start, s.control, s.end}, t));
+            }
             if (!s.curved) continue;
             // Where the arc runs along an axis.
             for (int axis = 0; axis < 2; ++axis) {
@@ -244,6 +255,7 @@ double area_of(const std::vector<Outline>& outlines) {
             twice += cross(at, s.end);
             // Between chord and arc: |u x v| (angle - sin angle).
             if (s.curved) twice += cross(s.u, s.v) * ((s.to - s.from) - std::sin(s.to - s.from));
+            if (s.quadratic) twice += 2 * cross(s.control - at, s.end - at) / 3;
             at = s.end;
         }
     }

@@ -49,7 +49,7 @@ public:
         if (!root) return tl::unexpected(root.error());
         file_.text += *root + "\n";
         if (meshes_ > 0)
-            file_.warnings.push_back(fmt::format("{} extrusions or revolutions have no counterpart in POV-Ray, written as meshes", meshes_));
+            file_.warnings.push_back(fmt::format("{} extrusions, revolutions or convex bodies have no counterpart in POV-Ray, written as meshes", meshes_));
         return {};
     }
 

@@ -31,6 +31,7 @@ Stroke reversed(const Stroke& s) {
         const Vec2 to = i == 0 ? s.start : s.sides[i - 1].end();
         const DrawnSide& side = s.sides[i];
         if (side.degree == 3) out.sides.push_back({3, {side.p[1], side.p[0], to}, 0});
+        else if (side.degree == 2) out.sides.push_back({2, {side.p[0], to, {}}, 0});
         else out.sides.push_back(DrawnSide::arc(to, -side.bulge));
     }
     return out;
@@ -95,11 +96,25 @@ private:
         } else if (e.type == "ELLIPSE") {
             const Vec2 u = e.at[1], v = Vec2(-u.y, u.x) * e.number(40, 1);
             if (glm::length(v) > 0) ellipse_arc(map, e.at[0], u, v, e.number(41, 0), e.number(42, 2 * kPi));
+        } else if (e.type == "SPLINE" && is_one_bezier(e)) {
+            Stroke stroke{map.point(e.vertices[0].at), {{static_cast<int>(e.vertices.size()) - 1, {}, 0}}};
+            for (std::size_t i = 1; i < e.vertices.size(); ++i) stroke.sides[0].p[i - 1] = map.point(e.vertices[i].at);
+            if (stroke.end() == stroke.start) closed_.push_back({stroke.start, std::move(stroke.sides)});
+            else strokes_.push_back(std::move(stroke));
         } else if (e.type == "LWPOLYLINE" || e.type == "POLYLINE") {
             polyline(e, map);
         } else if (e.type != "DIMENSION" && e.type != "TEXT" && e.type != "MTEXT" && e.type != "POINT" && e.type != "VIEWPORT" && e.type != "ATTRIB" && e.type != "ATTDEF") {
             ++others_[e.type];
         }
+    }
+
+    // Of degree 2 or 3, clamped at both ends, with no knots between and no weights.
+    static bool is_one_bezier(const DxfEntity& e) {
+        const std::size_t points = e.vertices.size(), degree = points - 1;
+        if ((points != 3 && points != 4) || e.number(71, 0) != static_cast<double>(degree) || e.knots.size() != 2 * points || e.number(41, 1) != 1) return false;
+        const auto first = e.knots.begin(), middle = first + static_cast<std::ptrdiff_t>(points);
+        return std::count(first, middle, e.knots.front()) == static_cast<std::ptrdiff_t>(points) && std::count(middle, e.knots.end(), e.knots.back()) == static_cast<std::ptrdiff_t>(points) &&
+               e.knots.front() < e.knots.back();
     }
 
     // Counter-clockwise from one angle to the other; the same or a whole turn apart: all of it.

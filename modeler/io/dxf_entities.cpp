@@ -50,7 +50,8 @@ public:
 
 private:
     void coordinate(int code, double x) {
-        const bool polyline = current_.type == "LWPOLYLINE";
+        const bool spline = current_.type == "SPLINE", polyline = current_.type == "LWPOLYLINE" || spline;
+        if (spline && code == 40) current_.knots.push_back(x);
         if (polyline && code == 10) current_.vertices.push_back({{x, 0}, 0});
         else if (polyline && code == 20 && !current_.vertices.empty()) current_.vertices.back().at.y = x;
         else if (polyline && code == 42 && !current_.vertices.empty()) current_.vertices.back().bulge = x;

@@ -20,7 +20,8 @@ struct DxfEntity {
     std::string text;                    // code 1: of a dimension
     std::array<Vec2, 7> at{};            // codes 10..16 and 20..26
     std::map<int, double> numbers;       // all other codes that are numbers, last of each
-    std::vector<DxfVertex> vertices;     // of a polyline
+    std::vector<DxfVertex> vertices;     // of a polyline; the control points of a SPLINE
+    std::vector<double> knots;           // of a SPLINE
     double number(int code, double otherwise) const {
         const auto found = numbers.find(code);
         return found == numbers.end() ? otherwise : found->second;

@@ -131,6 +131,52 @@ TEST_CASE("a drawing with arcs only reads back without loss") {
     }
 }
 
+TEST_CASE("quadratic curves go out as what they are and come back to the same area") {
+    const auto curve = [](Vec2 control, Vec2 to) { return DrawnSide{2, {control, to, {}}, 0}; };
+    // A round bowl with a hollow flank, a hole of curves in it, and a bar that crosses two of the curves.
+    const DrawnContour outer{{0, 0}, {curve({5, -3}, {10, 0}), curve({14, 5}, {9, 9}), curve({5, 6}, {1, 10}), DrawnSide::line({0, 0})}};
+    const DrawnContour inner{{3, 3}, {curve({3, 6}, {6, 5}), curve({8, 2}, {3, 3})}};
+    const auto green = [](const DrawnContour& c) {
+        double twice = 0;
+        Vec2 at = c.start;
+        for (const DrawnSide& s : c.sides) {
+            twice += at.x * s.end().y - at.y * s.end().x;
+            if (s.degree == 2) twice += 2.0 / 3 * ((s.p[0].x - at.x) * (s.end().y - at.y) - (s.p[0].y - at.y) * (s.end().x - at.x));
+            at = s.end();
+        }
+        return std::fabs(twice) / 2;
+    };
+    const auto outlines = outlines_of(drawn({{{{outer, inner}}}, {}}));
+    REQUIRE(outlines.size() == 2);
+    const double area = green(outer) - green(inner);
+    CHECK(area_of(outlines) == Approx(area).epsilon(1e-12));
+    const std::string svg = svg_text(outlines), dxf = dxf_text(outlines);
+    CHECK(svg.find(" Q ") != std::string::npos);
+    CHECK(dxf.find("SPLINE") != std::string::npos);
+    for (const auto& drawing : {read_svg(svg, {}), read_dxf(dxf, {})}) {
+        REQUIRE(drawing);
+        CHECK(drawing->remarks.empty());
+        CHECK(area_of(outlines_of(drawn(*drawing))) == Approx(area).epsilon(1e-12));
+    }
+    // What a bar leaves of it, and the rest, are all of it.
+    SolidBuilder b;
+    const Use whole = drawn_set(b, {{{{outer, inner}}}, {}}, [](double) { return 0; }), bar = at(b.shape(shape::Rectangle{{-5, 2}, {20, 4.5}}), 0, 0), oval = at(b.shape(shape::Disc{3}), 9, 4);
+    for (const Use& other : {bar, oval}) {
+        double sum = 0;
+        for (const SetOp op : {SetOp::kDifference, SetOp::kIntersection}) {
+            SolidBuilder each;
+            const Use again = drawn_set(each, {{{{outer, inner}}}, {}}, [](double) { return 0; });
+            Use cutter = other;
+            cutter.node = each.shape(std::get<Shape>(b.node(other.node)));
+            const auto part = outlines_of(set_of(each, op, {again, cutter}));
+            for (const Outline& o : part) CHECK(!o.sides.empty());
+            sum += area_of(part);
+        }
+        CHECK(sum == Approx(area).epsilon(1e-10));
+    }
+    CHECK(whole.node != kEmptyNode);
+}
+
 TEST_CASE("contours with arcs that reach over each other's chords are drawn right") {
     // A thin C: outer arc of radius 10, inner of 9, both through 300 degrees, and its ends.
     const double k = std::tan(300 * kPi / 180 / 4), c = std::cos(kPi / 6), s = std::sin(kPi / 6);
