@@ -5,14 +5,12 @@
 #include <cctype>
 
 #include "csg/eval/builtin.h"
+#include "csg/eval/survey_colors.h"
 
 namespace whittle {
 namespace {
 
-struct NamedColor {
-    std::string_view name;
-    std::uint32_t rgb;
-};
+constexpr std::string_view kSurveyPrefix = "xkcd:";
 
 // Source: W3C, CSS Color Module Level 4, named colors.
 constexpr std::array kColors = std::to_array<NamedColor>({
@@ -68,6 +66,12 @@ std::optional<Vec4> hex_color(std::string_view digits) {
     return out;
 }
 
+std::optional<Vec4> color_among(std::span<const NamedColor> colors, std::string_view name) {
+    for (const NamedColor& c : colors)
+        if (c.name == name) return Vec4{(c.rgb >> 16) / 255.0, ((c.rgb >> 8) & 255) / 255.0, (c.rgb & 255) / 255.0, 1};
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Vec4> color_of_text(std::string_view text) {
@@ -75,14 +79,15 @@ std::optional<Vec4> color_of_text(std::string_view text) {
     std::string lower(text);
     std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (lower == "transparent") return Vec4{0};
-    for (const NamedColor& c : kColors)
-        if (c.name == lower) return Vec4{(c.rgb >> 16) / 255.0, ((c.rgb >> 8) & 255) / 255.0, (c.rgb & 255) / 255.0, 1};
-    return std::nullopt;
+    if (lower.starts_with(kSurveyPrefix)) return color_among(survey_colors(), std::string_view(lower).substr(kSurveyPrefix.size()));
+    return color_among(kColors, lower);
 }
 
 std::string nearest_color(std::string_view text) {
     std::vector<std::string> known;
     for (const NamedColor& c : kColors) known.emplace_back(c.name);
+    if (text.starts_with(kSurveyPrefix))
+        for (const NamedColor& c : survey_colors()) known.push_back(std::string(kSurveyPrefix) + std::string(c.name));
     const std::optional<std::string> near = nearest_name(text, known);
     return near ? "did you mean \"" + *near + "\"?" : std::string("a color is a CSS name, \"#rrggbb\" or [r, g, b] from 0 to 1");
 }

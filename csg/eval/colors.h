@@ -9,7 +9,7 @@
 
 namespace whittle {
 
-// sRGB and alpha, 0..1, of a CSS name in any case, "transparent", "#rgb", "#rgba", "#rrggbb" or "#rrggbbaa".
+// sRGB and alpha, 0..1, of a CSS name in any case, "xkcd:" and a name of the survey's, "transparent", "#rgb", "#rgba", "#rrggbb" or "#rrggbbaa".
 std::optional<Vec4> color_of_text(std::string_view text);
 
 // A hint for a name that is none.

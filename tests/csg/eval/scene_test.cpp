@@ -1,6 +1,8 @@
 // What the evaluator hands on: lights, lens, matter, roots, definitions, parameters, hints.
 #include <catch2/catch.hpp>
 
+#include "csg/eval/colors.h"
+#include "csg/eval/survey_colors.h"
 #include "tests/csg/eval/memory_files.h"
 
 using namespace whittle;
@@ -196,4 +198,16 @@ TEST_CASE("an extrusion of a file leaves out what stands under it") {
 TEST_CASE("a file that is no text is named as it is shown") {
     CHECK(csg_of("import(5);").find("import(file = \"5\"") != std::string::npos);
     CHECK(csg_of("import();").find("import(file = \"\"") != std::string::npos);
+}
+
+TEST_CASE("names of the colour survey are known by their prefix, in any case, and told where they nearly are") {
+    const auto sorted = survey_colors();
+    CHECK(sorted.size() == 949);
+    for (std::size_t i = 1; i < sorted.size(); ++i) CHECK(sorted[i - 1].name < sorted[i].name);
+    CHECK(color_of_text("xkcd:windows blue") == Vec4(0x37 / 255.0, 0x78 / 255.0, 0xBF / 255.0, 1));
+    CHECK(color_of_text("XKCD:Blue/Green") == Vec4(0x0F / 255.0, 0x9B / 255.0, 0x8E / 255.0, 1));
+    CHECK(color_of_text("blue") == Vec4(0, 0, 1, 1));
+    CHECK_FALSE(color_of_text("windows blue"));
+    CHECK_FALSE(color_of_text("xkcd:"));
+    CHECK(nearest_color("xkcd:windws blue") == "did you mean \"xkcd:windows blue\"?");
 }
