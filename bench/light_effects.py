@@ -5,14 +5,14 @@ Every scene of FOLDER (bench/light) is exported by `whittle -o x.pov` and drawn 
 a time is the least user time of the rounds less that of a picture of 4 x 3 pixels; an error is the root mean square difference of linear colour, clipped at
 white, from what the same program converges to. POV-Ray has its choice: supersampling (+AM1), adaptive supersampling (+AM2), several grids of an area lamp, blur
 samples, photons; of its settings those count that no other beats in time and error. Whittle takes the integrator named here, with the noise limit that it
-takes by itself. The table compares both at three errors: those of POV-Ray's settings at a third, two thirds and the end of its own line.
+takes by itself. The table compares both at three errors: those of POV-Ray's settings a third and two thirds along its own line and at its end.
 ImageMagick's convert reads the pictures.
 """
 import array, math, os, re, resource, subprocess, sys, tempfile
 
 WIDTH, HEIGHT = 160, 120
 INTEGRATORS = {'reflection': 'whitted', 'refraction': 'whitted', 'soft_shadow': 'distributed', 'photons': 'caustics', 'focal_blur': 'distributed'}
-MOST_SAMPLES = {'photons': 256}
+MOST_SAMPLES = {'refraction': 64}
 
 def cpu(words):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -37,11 +37,11 @@ class Whittle:
         return cpu(self.words + ['--samples', str(samples), '--imgsize', f'{size[0]},{size[1]}', '-o', picture]), picture
     def settings(self, name):
         samples = 1
-        while samples <= MOST_SAMPLES.get(name, 64):
+        while samples <= MOST_SAMPLES.get(name, 256):
             yield f'{samples} samples', samples
             samples *= 4
     def truth(self, name):
-        return self.draw(1024 if name == 'photons' else 400)[1]
+        return self.draw(4 * MOST_SAMPLES.get(name, 256))[1]
 
 class PovRay:
     def __init__(self, text, folder):
@@ -103,7 +103,7 @@ def measured(program, name, rounds, line):
     """Adds (seconds, error, label) of every setting; `line` keeps the least time of a label."""
     truth = pixels(program.truth(name))
     def once():
-        start = min(program.draw(next(iter(program.settings(name)))[1], (4, 3))[0] for _ in range(2))
+        start = min(program.draw(next(iter(program.settings(name)))[1], (4, 3))[0] for _ in range(5))
         for label, setting in program.settings(name):
             seconds, picture = program.draw(setting)
             error = rms(pixels(picture), truth)

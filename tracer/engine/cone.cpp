@@ -131,7 +131,7 @@ private:
             if (!met) add(own, {places.turn, 0, 0}, within);
         }
         for (double t : places.roots)
-            if (t > 0 && t <= t_most_) add(own, touching(side, t, std::abs(places.turn - t)), within);
+            if (t > 0 && t <= t_most_ && t < kInfinity) add(own, touching(side, t, std::abs(places.turn - t)), within);
     }
 
     // The plane that touches the side at t. Where it leans steeply the side bends away before: never by more than `most` within the disc.

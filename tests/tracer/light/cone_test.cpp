@@ -133,6 +133,26 @@ TEST_CASE("a box's corner parts a cone in two areas whose shares are those of it
     CHECK(inside == Approx(0.25 - (0.1 + 0.05) / kPi + 0.005 / kPi).margin(0.03));
 }
 
+TEST_CASE("a side that the axis never crosses parts nothing, however far the cone goes") {
+    // The axis runs along the box's side, 0.1 beside it, and meets neither it nor anything else.
+    SceneBuilder b;
+    b.add(b.box(Vec3(-10, -10, -10), Vec3(0, 10, 10)));
+    const auto program = compile(b.finish());
+    REQUIRE(program);
+    ConeSplitter splitter;
+    for (double spread : {0.0, 0.01}) {
+        Cone cone;
+        cone.start = 0.2;
+        cone.spread = spread;
+        cone.axis.direction = Vec3(0, 0, -1);
+        cone.axis.origin = Vec3(0.1, 0, 50);
+        for (const ConePart& p : splitter.split(**program, cone, HUGE_VAL)) {
+            CHECK(std::isfinite(p.t));
+            CHECK(std::isfinite(p.off.x + p.off.y + p.off.z));
+        }
+    }
+}
+
 TEST_CASE("where a cone's rays come from widens it near, what they go to widens it far") {
     SceneBuilder b;
     b.add(b.box(Vec3(0, -50, 0), Vec3(50, 50, 1)));
