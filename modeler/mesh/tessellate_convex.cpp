@@ -17,8 +17,11 @@ constexpr int kMostRounds = 24;  // each leaves about a quarter of what was miss
 
 double radius_of(const BallImage& image) { return std::sqrt(std::max({glm::dot(image.u, image.u), glm::dot(image.v, image.v), glm::dot(image.w, image.w)})); }
 
+// Half the tolerance: the hull of points on a ball joins them otherwise than the rows do that they are chosen for.
 CurveRule of_unit(CurveRule rule, double radius) {
     rule.scale *= radius;
+    rule.largest /= 2;
+    rule.share_of_radius /= 2;
     return rule;
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "csg/solid/convex_body.h"
+
 namespace whittle::support {
 
 namespace {
@@ -158,6 +160,15 @@ private:
     std::string text(const shape::Capsule& s, const Piece&) const { return fmt::format("shape::Capsule{{{}, {}, {}}}", text(s.p), text(s.q), number(s.r)); }
     std::string text(const shape::RoundBox& s, const Piece&) const {
         return fmt::format("shape::RoundBox{{{}, {}, {}}}", text(s.lo), text(s.hi), number(s.r));
+    }
+    std::string text(const shape::ConvexBody& s, const Piece&) const {
+        std::string parts;
+        for (const ConvexPart& part : s.hull->parts) {
+            std::string images;
+            for (const BallImage& i : part.images) images += fmt::format("{}{{{}, {}, {}}}", images.empty() ? "" : ", ", text(i.u), text(i.v), text(i.w));
+            parts += fmt::format("{}{{{}, {{{}}}}}", parts.empty() ? "" : ", ", text(part.centre), images);
+        }
+        return fmt::format("shape::ConvexBody{{std::make_shared<const ConvexHullBody>(ConvexParts{{{}}})}}", parts);
     }
     std::string text(const shape::FacetedBall& s, const Piece&) const { return fmt::format("shape::FacetedBall{{{}, {}}}", number(s.r), s.n); }
     std::string text(const shape::FacetedFrustum& s, const Piece&) const {

@@ -45,7 +45,7 @@ TEST_CASE("hulls and sums of convex bodies that share no axis go through no mesh
     const TemporaryFolder folder;
     const std::string scene = folder.file("part.scad", "hull() { sphere(5); translate([20, 0, 0]) cylinder(r = 3, h = 10); }\n"
                                                        "translate([0, 40, 0]) minkowski() { rotate([90, 0, 30]) cylinder(r = 3, h = 10); scale([1, 2, 3]) sphere(1); }\n");
-    const Outcome out = run_whittle({"spans", scene, "--ray=-10,0,0,1,0,0", "--json", "--stats", folder.name("s.json")});
+    const Outcome out = run_whittle({"spans", scene, "--ray=-10,0.1,0.2,1,0,0", "--json", "--stats", folder.name("s.json")});
     CHECK(out.code == 0);
     CHECK_FALSE(contains(out.err, "no exact form"));
     CHECK(contains(folder.read("s.json"), "\"mesh.fallback\": 0"));
