@@ -84,9 +84,10 @@ Result<Reworked> remeshed(const MeshResult& in, double edge_mm, MeshControl& con
         return fail(Fault::kWorld, fmt::format("--remesh={}: more than {:g} triangles of that size", edge_mm, kMostTriangles));
     const auto entry = module_entry("whittle_cgal.so", "whittle_cgal_remesh_1", "the part that remeshes");
     if (!entry) return tl::unexpected(entry.error());
-    Mesh mesh;
+    Mesh mesh, apart = with_own_points(in.mesh);
+    apart.leaf = groups_of(in);
     std::string fault;
-    if (!reinterpret_cast<decltype(&whittle_cgal_remesh_1)>(*entry)(with_own_points(in.mesh), edge_mm, kSharpDeg, mesh, fault))
+    if (!reinterpret_cast<decltype(&whittle_cgal_remesh_1)>(*entry)(apart, edge_mm, kSharpDeg, mesh, fault))
         return fail(Fault::kScene, "CGAL: " + fault);
     if (control.cancelled()) return fail(Fault::kInterrupted, "interrupted");
     const auto report = settled(mesh);

@@ -165,6 +165,37 @@ TEST_CASE("a remeshed solid has even triangles, its sharp edges, and its volume"
     CHECK_FALSE(remeshed(fine, 1e-4, control));
 }
 
+TEST_CASE("a remeshed solid keeps long sharp edges and borders of colours where they were") {
+    SolidBuilder b;
+    Material red;
+    red.color = Vec4(1, 0, 0, 1);
+    const NodeId box = b.shape(shape::Box{Vec3(0), {20, 6, 4}});
+    // Three boxes in a row, flush: the first red, the others of no colour and so without a border.
+    const Solid solid = b.finish(at(b.combine(SetOp::kUnion, {b.labelled({red, {}, {}}, at(box)), at(box, {20, 0, 0}), at(box, {40, 0, 0})})));
+    const MeshResult coarse = mesh_of(solid, 0.01);
+    MeshControl control;
+    const auto made = remeshed(coarse, 1.5, control);
+    REQUIRE(made);
+    check_valid(made->result);
+    CHECK(made->deviation <= 1.5 * 0x1p-10);
+    CHECK_THAT(volume(made->result), WithinRel(60.0 * 6 * 4, 1e-9));
+    double red_area = 0, border = 0;
+    bool in_plane = true;
+    for (std::size_t i = 0; i < made->result.mesh.triangles.size(); ++i) {
+        const Triangle& t = made->result.mesh.triangles[i];
+        const auto p = [&](std::size_t k) { return made->result.mesh.points[t[k % 3]]; };
+        for (std::size_t k = 0; k < 3; ++k) CHECK(glm::distance(p(k), p(k + 1)) < 2.5);
+        if (made->result.leaves[made->result.mesh.leaf[i]].material.color) red_area += glm::length(glm::cross(p(1) - p(0), p(2) - p(0))) / 2;
+    }
+    CHECK_THAT(red_area, WithinRel(2.0 * 20 * (6 + 4) + 6 * 4, 1e-9));
+    for (const auto& [from, to] : rim_of(made->result)) {
+        in_plane = in_plane && std::fabs(from[0] - 20) < 1e-9 && std::fabs(to[0] - 20) < 1e-9;
+        border += std::hypot(to[1] - from[1], to[2] - from[2]);
+    }
+    CHECK(in_plane);
+    CHECK_THAT(border, WithinRel(2.0 * (6 + 4), 1e-9));
+}
+
 TEST_CASE("CGAL's booleans give the same solid, also where solids touch along an edge") {
     SolidBuilder b;
     const Solid solid = carved(b);
