@@ -144,11 +144,14 @@ private:
 Patches patches_of(std::span<const Operand> operands) {
     Patches out;
     Collector collector(out);
+    std::map<const GridMesh*, std::uint32_t> uses_left;
+    for (const Operand& o : operands) ++uses_left[o.mesh];
     std::map<const GridMesh*, FlatMesh> flat;
     for (std::uint32_t i = 0; i < operands.size(); ++i) {
         const auto [at, fresh] = flat.try_emplace(operands[i].mesh);
         if (fresh) at->second = flat_mesh(*operands[i].mesh);
         collector.add(operands[i], i, at->second);
+        if (--uses_left[operands[i].mesh] == 0) flat.erase(at);
     }
     return out;
 }

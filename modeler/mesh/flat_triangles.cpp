@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "modeler/mesh/mesh_part.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
@@ -81,9 +82,35 @@ bool is_flat(const Mesh& mesh, const Triangle& t) {
     return glm::cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]) == Vec3{0};
 }
 
-void remove_flat_triangles(Mesh& mesh) {
+namespace {
+
+void remove_in_rounds(Mesh& mesh) {
     constexpr int kRounds = 64;  // each shortens the chain of flat triangles along one line
     for (int i = 0; i < kRounds && one_round(mesh) > 0; ++i) weld(mesh);
+}
+
+}  // namespace
+
+// Of a large mesh with few flat triangles only these and those around them are touched: every round goes over all it is given.
+void remove_flat_triangles(Mesh& mesh) {
+    constexpr std::size_t kLarge = 100000, kFewOf = 64;
+    constexpr int kRings = 3, kTimes = 8;  // a chain that leaves the rings is found again
+    for (int time = 0; time < kTimes; ++time) {
+        std::vector<bool> chosen(mesh.triangles.size(), false);
+        std::size_t flat = 0;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            if (is_flat(mesh, mesh.triangles[i])) chosen[i] = true, ++flat;
+        if (flat == 0) return;
+        if (mesh.triangles.size() < kLarge || flat > mesh.triangles.size() / kFewOf) return remove_in_rounds(mesh);
+        for (int ring = 0; ring < kRings; ++ring) grow_by_ring(mesh, chosen);
+        Mesh part = part_of(mesh, chosen);
+        const std::vector<Triangle> before = part.triangles;
+        remove_in_rounds(part);
+        if (part.triangles == before) return;
+        remove_part(mesh, chosen);
+        append(mesh, part);
+        weld(mesh);
+    }
 }
 
 }  // namespace whittle

@@ -1,28 +1,14 @@
 #include "modeler/mesh/settle_piece.h"
 
 #include <cmath>
-#include <limits>
 
 #include "modeler/arrange/arrange.h"
 #include "modeler/arrange/crossings.h"
+#include "modeler/mesh/mesh_part.h"
 #include "modeler/mesh/weld.h"
 
 namespace whittle {
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-// All triangles with a corner of a chosen one.
-void grow(const Mesh& mesh, std::vector<bool>& chosen) {
-    std::vector<bool> near(mesh.points.size(), false);
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-        if (chosen[i])
-            for (const std::uint32_t v : mesh.triangles[i]) near[v] = true;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        if (near[t[0]] || near[t[1]] || near[t[2]]) chosen[i] = true;
-    }
-}
 
 DoubleBox box_of(const Mesh& mesh, const Triangle& t) {
     const auto at = [&](std::size_t k) { return std::array<double, 3>{mesh.points[t[k]].x, mesh.points[t[k]].y, mesh.points[t[k]].z}; };
@@ -31,45 +17,24 @@ DoubleBox box_of(const Mesh& mesh, const Triangle& t) {
     return box;
 }
 
-// The chosen triangles on a grid of 2^exponent, each with a tag of its own; `numbers` are those they have in the mesh.
-GridMesh piece_of(const Mesh& mesh, const std::vector<bool>& chosen, int exponent, std::vector<std::uint32_t>& numbers) {
-    GridMesh piece;
-    std::vector<std::uint32_t> renamed(mesh.points.size(), kNone);
-    for (std::uint32_t i = 0; i < chosen.size(); ++i) {
-        if (!chosen[i]) continue;
-        Triangle t = mesh.triangles[i];
-        for (std::uint32_t& v : t) {
-            if (renamed[v] == kNone) {
-                renamed[v] = static_cast<std::uint32_t>(piece.points.size());
-                const auto whole = [&](int k) { return std::llround(std::ldexp(mesh.points[v][k], -exponent)); };
-                piece.points.push_back({whole(0), whole(1), whole(2)});
-            }
-            v = renamed[v];
-        }
-        piece.triangles.push_back(t);
-        piece.tags.push_back(static_cast<FacetTag>(numbers.size()));
-        numbers.push_back(i);
-    }
-    return piece;
+// On a grid of 2^exponent, each triangle with a tag of its own.
+GridMesh on_grid(const Mesh& part, int exponent) {
+    GridMesh grid;
+    const auto whole = [&](double x) { return std::llround(std::ldexp(x, -exponent)); };
+    for (const Vec3& p : part.points) grid.points.push_back({whole(p.x), whole(p.y), whole(p.z)});
+    grid.triangles = part.triangles;
+    for (FacetTag i = 0; i < part.triangles.size(); ++i) grid.tags.push_back(i);
+    return grid;
 }
 
-// The triangles that are left, and the new ones behind them.
-Mesh replaced(const Mesh& mesh, const std::vector<bool>& chosen, const ArrangedMesh& made, const std::vector<std::uint32_t>& numbers, int exponent) {
+// Rounded to the grid; `was` is what was arranged.
+Mesh off_grid(const ArrangedMesh& made, const Mesh& was, int exponent) {
     Mesh out;
-    out.points = mesh.points;
-    const auto first = static_cast<std::uint32_t>(out.points.size());
     const auto rounded = [&](double x) { return std::ldexp(std::nearbyint(x), exponent); };
     for (const Vec3& p : made.points) out.points.emplace_back(rounded(p.x), rounded(p.y), rounded(p.z));
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (chosen[i]) continue;
-        out.triangles.push_back(mesh.triangles[i]);
-        if (!mesh.leaf.empty()) out.leaf.push_back(mesh.leaf[i]);
-    }
-    for (std::size_t i = 0; i < made.triangles.size(); ++i) {
-        const Triangle& t = made.triangles[i];
-        out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        if (!mesh.leaf.empty()) out.leaf.push_back(mesh.leaf[numbers[made.tags[i]]]);
-    }
+    out.triangles = made.triangles;
+    if (!was.leaf.empty())
+        for (const FacetTag tag : made.tags) out.leaf.push_back(was.leaf[tag]);
     return out;
 }
 
@@ -87,13 +52,12 @@ CrossingPairs pairs_near(const Mesh& mesh, const BoxTree& places, std::size_t mo
     return out;
 }
 
-// Around the chosen triangles, a little wider than rounding can carry a point.
-BoxTree boxes_around(const Mesh& mesh, const std::vector<bool>& chosen, int exponent) {
+// Around the triangles, a little wider than rounding can carry a point.
+BoxTree boxes_around(const Mesh& part, int exponent) {
     const double margin = std::ldexp(2.0, exponent);
     std::vector<DoubleBox> boxes;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (!chosen[i]) continue;
-        boxes.push_back(box_of(mesh, mesh.triangles[i]));
+    for (const Triangle& t : part.triangles) {
+        boxes.push_back(box_of(part, t));
         for (std::size_t k = 0; k < 3; ++k) boxes.back().lo[k] -= margin, boxes.back().hi[k] += margin;
     }
     std::vector<std::uint32_t> owner(boxes.size(), BoxTree::kMixed);
@@ -107,15 +71,16 @@ std::optional<CrossingPairs> settle_piece(Mesh& mesh, const CrossingPairs& pairs
     for (const auto& [i, j] : pairs) chosen[i] = chosen[j] = true;
     const std::vector<bool> crossing = chosen;
     constexpr int kRings = 2;  // one would be enough; a flat triangle that arises at the crossings then still has its neighbours
-    for (int ring = 0; ring < kRings; ++ring) grow(mesh, chosen);
-    std::vector<std::uint32_t> numbers;
-    const GridMesh piece = piece_of(mesh, chosen, exponent, numbers);
+    for (int ring = 0; ring < kRings; ++ring) grow_by_ring(mesh, chosen);
     std::vector<bool> sound;
-    for (const std::uint32_t i : numbers) sound.push_back(!crossing[i]);
-    const auto made = arrange_piece(piece, sound, [&] { return control.cancelled(); });
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) sound.push_back(!crossing[i]);
+    const Mesh part = part_of(mesh, chosen);
+    const auto made = arrange_piece(on_grid(part, exponent), sound, [&] { return control.cancelled(); });
     if (!made) return std::nullopt;
-    const BoxTree places = boxes_around(mesh, chosen, exponent);
-    mesh = replaced(mesh, chosen, *made, numbers, exponent);
+    const BoxTree places = boxes_around(part, exponent);
+    remove_part(mesh, chosen);
+    append(mesh, off_grid(*made, part, exponent));
     weld(mesh);
     remove_flat_triangles(mesh);
     return pairs_near(mesh, places, most);

@@ -44,8 +44,10 @@ std::vector<bool> folded(const std::vector<Triangle>& triangles, std::size_t poi
                [](const Entry& a, const Entry& b) { return a.corners != b.corners ? a.corners < b.corners : a.index < b.index; });
     std::vector<bool> gone(triangles.size(), false);
     for (std::size_t i = 0, j; i < entries.size(); i = j) {
+        for (j = i + 1; j < entries.size() && entries[j].corners == entries[i].corners;) ++j;
+        if (j - i == 1) continue;
         std::vector<std::uint32_t> even, odd;
-        for (j = i; j < entries.size() && entries[j].corners == entries[i].corners; ++j) (entries[j].odd ? odd : even).push_back(entries[j].index);
+        for (std::size_t k = i; k < j; ++k) (entries[k].odd ? odd : even).push_back(entries[k].index);
         for (std::size_t k = 0; k < std::min(even.size(), odd.size()); ++k) gone[even[k]] = gone[odd[k]] = true;
     }
     return gone;
