@@ -6,6 +6,7 @@
 
 #include "modeler/check/line_comparison.h"
 #include "modeler/check/measure_methods.h"
+#include "modeler/check/own_deviation.h"
 #include "modeler/check/parallel_lines.h"
 #include "modeler/check/sobol.h"
 
@@ -172,7 +173,8 @@ Result<Agreement> check_agreement(const Solid& solid, const Program& program, co
     const Sphere sphere = sphere_around(joined(program_bounds(program), mesh_bounds(mesh)));
     const double reach = 2 * sphere.radius + glm::length(sphere.center);
     a.seed = options.seed;
-    a.tolerance = leaves->any_curved() ? options.tolerance : 0;
+    a.own_deviation = own_deviation(solid);
+    a.tolerance = leaves->any_curved() ? options.tolerance + a.own_deviation : 0;
     a.rounding = allowed_rounding(options.rounding, reach);
     set_spans_facts(a, *measured);
     set_mesh_facts(a, mesh, reach);

@@ -6,6 +6,7 @@
 //  (ii)  every crossing of the mesh, zero-length spans included, lies within `tolerance` of a leaf's boundary and of a change of exact membership,
 //        unless it ends a piece that (i) explains;
 //  (iii) the volumes agree within tolerance times the area that is curved, plus the error of the sampled volume.
+// Where rays themselves meet chords of a curve, how far these may be off adds to the tolerance (own_deviation.h).
 // With tolerance 0 (faceted mode) rounding alone is allowed.
 //
 // Source: Crofton's formula: Santalo, Integral Geometry and Geometric Probability (1976).
@@ -59,7 +60,8 @@ struct Agreement {
     bool agree = true;
     std::uint64_t lines = 0, seed = 0;          // uniform lines
     std::uint64_t facet_lines = 0;              // lines through facets
-    double tolerance = 0, rounding = 0;
+    double tolerance = 0, rounding = 0;         // `tolerance` includes own_deviation
+    double own_deviation = 0;                   // of what rays meet from the solid (own_deviation.h)
     Measured volume_spans, volume_mesh, area_spans, area_mesh;  // the mesh's own are exact up to rounding
     std::array<Measured, 3> centroid_spans, centroid_mesh;
     int genus = 0, components = 0;              // of the mesh's surface

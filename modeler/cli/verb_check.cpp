@@ -35,6 +35,7 @@ std::string both(const std::string& spans, const std::string& mesh) { return jso
 void print_json(const Agreement& a, const std::vector<std::string>& false_facts) {
     json::Object object;
     object.boolean("agree", a.agree && false_facts.empty()).count("lines", a.lines).count("seed", a.seed).number("tolerance", a.tolerance).number("rounding", a.rounding);
+    object.number("own_deviation", a.own_deviation);
     object.raw("volume", both(json::of(a.volume_spans), json::of(a.volume_mesh))).raw("area", both(json::of(a.area_spans), json::of(a.area_mesh)));
     object.raw("centroid", both(centroid_json(a.centroid_spans), centroid_json(a.centroid_mesh)));
     object.number("genus", a.genus).number("components", a.components);
@@ -48,6 +49,7 @@ void print_json(const Agreement& a, const std::vector<std::string>& false_facts)
 
 void print_table(const Agreement& a, const SourceTable& sources) {
     fmt::print("{} on {} lines (tolerance {:.3g} mm, fixed beforehand)\n", a.agree ? "agree" : "DISAGREE", a.lines, a.tolerance);
+    if (a.own_deviation > 0) fmt::print("  of it   {:.3g} mm, within which rays meet turned or sliced arcs as chords\n", a.own_deviation);
     fmt::print("  volume  exact {:.9g} +- {:.1e}, mesh {:.9g}\n", a.volume_spans.value, a.volume_spans.error, a.volume_mesh.value);
     fmt::print("  area    exact {:.9g} +- {:.1e}, mesh {:.9g}\n", a.area_spans.value, a.area_spans.error, a.area_mesh.value);
     fmt::print("  mesh    genus {}, {} shells\n", a.genus, a.components);
@@ -155,12 +157,26 @@ std::vector<std::string> scenes_of(const std::vector<std::string>& paths) {
     return out;
 }
 
+// What to say of folders that hold no scenes themselves.
+std::string no_scenes(const std::vector<std::string>& paths) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> below;
+    for (const std::string& path : paths) {
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(path, ignored))
+            if (entry.is_directory(ignored) && !scenes_of({entry.path().string()}).empty()) below.push_back(entry.path().string());
+    }
+    std::sort(below.begin(), below.end());
+    const std::string none = "--suite: there is no .scad file in the folders named";
+    return below.empty() ? none : fmt::format("{}; folders in them have some: {}", none, fmt::join(below, " "));
+}
+
 // A row a scene; what cannot be meshed is told and is no disagreement.
 Exit check_suite(Session& session) {
     std::size_t agreed = 0, disagreed = 0, refused = 0;
     std::vector<std::string> rows;
     const std::vector<std::string> scenes = scenes_of(session.request.inputs);
-    if (scenes.empty()) return give_up(session, {Fault::kScene, "--suite: there is no .scad file in the folders named"});
+    if (scenes.empty()) return give_up(session, {Fault::kScene, no_scenes(session.request.inputs)});
     for (const std::string& path : scenes) {
         Request request = session.request;
         request.inputs = {path};

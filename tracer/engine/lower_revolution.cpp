@@ -11,13 +11,12 @@
 #include "csg/solid/facets.h"
 #include "csg/solid/parabola.h"
 #include "tracer/engine/formula_builder.h"
+#include "tracer/engine/turned_chords.h"
 
 namespace whittle {
 
 namespace {
 
-// A turned parabola or ellipse is a surface of degree four that the engine has no roots for: cones through chords within this share of its size.
-constexpr double kTurnedTolerance = 0x1p-12;
 // Of an ellipse, which its polygon equals in area and so, turned, in volume (Pappus): nowhere farther away than 2^-12.
 constexpr int kTurnedChords = 128;
 

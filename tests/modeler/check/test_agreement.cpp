@@ -177,6 +177,23 @@ TEST_CASE("a turned parabola, cones through chords to rays, agrees with its mesh
     CHECK(agreement(solid, made, made.mesh).agree);
 }
 
+TEST_CASE("a mesh finer than the chords that rays meet agrees, and the chords are said") {
+    SolidBuilder b;
+    const Solid solid = b.finish(use(b.shape(shape::Revolution{b.shape(shape::ParabolicSegment{{0, 0}, {1.75, 3.5}, {3.5, 0}}), 30, 360, 0})));
+    MeshControl control;
+    MeshOptions fine;
+    fine.tolerance_mm = 1e-4;
+    const auto made = mesh_solid(solid, fine, control);
+    REQUIRE(made);
+    const Agreement a = agreement(solid, *made, made->mesh);
+    CHECK(a.agree);
+    CHECK(a.own_deviation > 0);
+    CHECK(a.own_deviation < 4e-3);
+    CHECK(a.worst.distance > fine.tolerance_mm);  // without them it would not
+    const Solid round = box_and_ball();
+    CHECK(agreement(round, meshed(round), meshed(round).mesh).own_deviation == 0);
+}
+
 // In tens, so that a run that is stopped has said how far it came; WHITTLE_FROM is the first tree.
 TEST_CASE("meshes of 300 random trees agree with their spans", "[.][soak]") {
     for (std::uint64_t first = support::first_of_run(); first < 300; first += 10) {

@@ -168,6 +168,17 @@ TEST_CASE("a suite of no scenes is no success") {
     CHECK(contains(run.err, "no .scad file"));
 }
 
+TEST_CASE("a suite in a folder of folders names those that hold scenes") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "parts");
+    std::filesystem::create_directories(folder.path() / "pictures");
+    folder.file("parts/a.scad", "cube(1);\n");
+    const Outcome run = run_whittle({"check", "--suite", folder.path().string()});
+    CHECK(run.code == 1);
+    CHECK(contains(run.err, (folder.path() / "parts").string()));
+    CHECK_FALSE(contains(run.err, "pictures"));
+}
+
 TEST_CASE("a line that is no ray is named by its number") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("a.scad", "cube(1);\n");
