@@ -5,6 +5,7 @@
 
 #include "modeler/arrange/arrange.h"
 #include "modeler/arrange/crossings.h"
+#include "modeler/mesh/mesh_part.h"
 #include "modeler/mesh/settle_piece.h"
 #include "modeler/mesh/weld.h"
 
@@ -68,11 +69,15 @@ Settled settled_by_pieces(Mesh mesh, int exponent, MeshControl& control) {
     weld(mesh);
     remove_flat_triangles(mesh);
     CrossingPairs pairs = crossing_pairs(mesh.points, mesh.triangles, kMostCrossings + 1);
+    if (pairs.empty() || pairs.size() > kMostCrossings) return {std::move(mesh), pairs.size(), true};
+    Mesh part = taken_out(mesh, pairs, exponent);
     for (int round = 0; round < kRounds && !pairs.empty() && pairs.size() <= kMostCrossings && !control.cancelled(); ++round) {
-        auto left = settle_piece(mesh, pairs, exponent, kMostCrossings + 1, control);
+        auto left = settle_piece(part, pairs, exponent, kMostCrossings + 1, control);
         if (!left) break;
         pairs = std::move(*left);
     }
+    append(mesh, part);
+    weld(mesh);
     return {std::move(mesh), pairs.size(), true};
 }
 

@@ -66,6 +66,25 @@ BoxTree boxes_around(const Mesh& part, int exponent) {
 
 }  // namespace
 
+Mesh taken_out(Mesh& mesh, CrossingPairs& pairs, int exponent) {
+    std::vector<bool> chosen(mesh.triangles.size(), false);
+    for (const auto& [i, j] : pairs) chosen[i] = chosen[j] = true;
+    constexpr int kInnerRings = 3, kOuterRings = 5;  // what is arranged, a ring or two wider from round to round; and what it must not cross
+    for (int ring = 0; ring < kInnerRings; ++ring) grow_by_ring(mesh, chosen);
+    const BoxTree places = boxes_around(part_of(mesh, chosen), exponent);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (!chosen[i]) places.touching(box_of(mesh, mesh.triangles[i]), [&](std::uint32_t) { chosen[i] = true; });
+    for (int ring = 0; ring < kOuterRings; ++ring) grow_by_ring(mesh, chosen);
+    std::vector<std::uint32_t> number(chosen.size(), 0);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) number[i] = count++;
+    for (auto& [i, j] : pairs) i = number[i], j = number[j];
+    Mesh part = part_of(mesh, chosen);
+    remove_part(mesh, chosen);
+    return part;
+}
+
 std::optional<CrossingPairs> settle_piece(Mesh& mesh, const CrossingPairs& pairs, int exponent, std::size_t most, MeshControl& control) {
     std::vector<bool> chosen(mesh.triangles.size(), false);
     for (const auto& [i, j] : pairs) chosen[i] = chosen[j] = true;
