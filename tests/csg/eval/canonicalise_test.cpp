@@ -344,14 +344,14 @@ TEST_CASE("what needs meshes or fonts is left out where there are none, and said
     scene::Unsupported file;
     file.name = "linear_extrude(file)";
     const SceneNodeId cube = a.add(kCube), ring = a.add(scene::Torus{50, 10}), other = a.at({9, 0, 0}, a.add(scene::Torus{50, 10}));
-    const SceneNodeId hull = a.add(scene::Hull{}, {ring, other});
+    const SceneNodeId hull = a.add(scene::Hull{}, {a.add(scene::Difference{}, {ring, other})});
     const Canonical c = a.canonical({cube, hull, a.add(text), a.add(file)});
     CHECK(c.something_left_out);
     CHECK(c.solid.root_bounds() == Bounds{Vec3(0), Vec3(10)});
     CHECK(a.said("hull() cannot be made, left out"));
     CHECK(a.said("text() needs fonts, left out"));
     CHECK(a.said("linear_extrude(file)() is not supported yet, left out"));
-    CHECK(a.diagnostics.all()[0].place.line == 5);
+    CHECK(a.diagnostics.all()[0].place.line == 6);
 }
 
 TEST_CASE("resize scales to the size asked for, and the rest along where told") {
