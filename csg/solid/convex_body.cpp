@@ -224,6 +224,22 @@ Vec3 farthest_point(const ConvexParts& parts, const Vec3& n) {
     return farthest_point(*best, n);
 }
 
+Vec3 farthest_point(const ConvexParts& parts, double size, const FlatFace& face, const Vec3& way) {
+    const double rounding = kFlatRounding * size;
+    Vec3 best = face.middle;
+    for (const ConvexPart& part : parts) {
+        if (reach(part, face.n) < face.d - rounding) continue;
+        Vec3 p = part.centre;
+        for (const BallImage& image : part.images) {
+            const Vec3 up = components(image, face.n), c = glm::length(up) <= rounding ? components(image, way) : up;
+            const double length = glm::length(c);
+            if (length > 0) p += (c.x / length) * image.u + (c.y / length) * image.v + (c.z / length) * image.w;
+        }
+        if (glm::dot(way, p) > glm::dot(way, best)) best = p;
+    }
+    return best;
+}
+
 // A mean with weights that are positive lies inside whatever the parts are.
 Vec3 middle_of(const ConvexParts& parts) {
     Vec3 sum(0);

@@ -43,6 +43,9 @@ struct FlatFace { Vec3 n; double d; Vec3 middle; };
 // Those in which a disc lies, three centres or more, or that stand across an axis: not those of a plane that happens to touch three parts elsewhere.
 std::vector<FlatFace> flat_faces(const ConvexParts& parts);
 
+// A point of the face that reaches farthest along `way`, a direction across the face's normal. `size`: as of size_of().
+Vec3 farthest_point(const ConvexParts& parts, double size, const FlatFace& face, const Vec3& way);
+
 // The hull of parts, and what who asks it often needs to know of it.
 class ConvexHullBody {
 public:

@@ -1,7 +1,7 @@
 // tessellate_convex.cpp — a convex body as the exact hull of points of its border.
 //
 // Discs, segments and ellipsoids are divided as those shapes are elsewhere. Sums of several are approached: the point farthest along a facet's normal joins where it
-// is farther out than half the tolerance.
+// is farther out than half the tolerance. Flat faces begin with their rims: what is only near them would make facets that are a little below.
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +50,13 @@ Beyond beyond(const ConvexParts& parts, const FacetList& hull, const std::vector
     return {glm::dot(n, p - a), p};
 }
 
+std::vector<Vec3> rim_points(const ConvexHullBody& body, const FlatFace& face, int count) {
+    const Vec3 x = glm::normalize(glm::cross(std::abs(face.n.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), face.n)), y = glm::cross(face.n, x);
+    std::vector<Vec3> out;
+    for (int i = 0; i < count; ++i) out.push_back(farthest_point(body.parts, body.size, face, cosd(360.0 * i / count) * x + sind(360.0 * i / count) * y));
+    return out;
+}
+
 std::optional<FacetList> approached(const ConvexParts& parts, std::vector<Vec3> points, double tolerance) {
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
@@ -82,6 +89,9 @@ Result<Tessellation> tessellate_convex(const shape::ConvexBody& s, const CurveRu
         chord = std::max(chord, rule.chord(radius_of(part.images[0])));
     }
     if (sums) chord = std::max(chord, rule.chord(largest));
+    for (const FlatFace& face : s.hull->faces)
+        if (sums)
+            for (const Vec3& p : rim_points(*s.hull, face, of_unit(rule, largest).turn(1))) points.push_back(p);
     const auto hull = sums ? approached(s.hull->parts, std::move(points), chord / 2) : convex_hull_of(std::move(points));
     if (!hull) return fail(Fault::kScene, "a convex body that encloses nothing");
     Tessellation out;

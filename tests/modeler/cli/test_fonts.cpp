@@ -56,6 +56,12 @@ TEST_CASE("hulls and sums of convex bodies that share no axis go through no mesh
     CHECK(contains(checked.out, "genus 0, 2 shells"));
 }
 
+TEST_CASE("flat faces of sums of convex bodies are flat in the mesh too") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad", "minkowski() { cylinder(r = 5, h = 3); rotate([0, 90, 0]) cylinder(r = 1, h = 2); }\n");
+    CHECK(run_whittle({"check", scene, "--lines", "4096"}).code == 0);
+}
+
 TEST_CASE("OPENSCAD_FONT_PATH names folders of fonts") {
     const TemporaryFolder folder;
     const std::string font = run_program("/usr/bin/fc-match", {"-f", "%{file}", "Liberation Sans"}).out;
