@@ -165,6 +165,12 @@ std::vector<Vec3> candidates(const ConvexParts& parts) {
     return out;
 }
 
+// Along a direction with these components, from the image's middle.
+Vec3 farthest_of(const BallImage& image, const Vec3& c) {
+    const double length = glm::length(c);
+    return length > 0 ? (c.x / length) * image.u + (c.y / length) * image.v + (c.z / length) * image.w : Vec3(0);
+}
+
 // The middle of what the part has farthest along n; images that lie across n are added to `ways`.
 Vec3 middle_of_farthest(const ConvexPart& part, const Vec3& n, double rounding, std::vector<Vec3>& ways) {
     ConvexPart pointed{part.centre, {}};
@@ -202,11 +208,7 @@ double reach(const ConvexPart& part, const Vec3& n) {
 
 Vec3 farthest_point(const ConvexPart& part, const Vec3& n) {
     Vec3 p = part.centre;
-    for (const BallImage& image : part.images) {
-        const Vec3 c = components(image, n);
-        const double length = glm::length(c);
-        if (length > 0) p += (c.x / length) * image.u + (c.y / length) * image.v + (c.z / length) * image.w;
-    }
+    for (const BallImage& image : part.images) p += farthest_of(image, components(image, n));
     return p;
 }
 
@@ -231,9 +233,8 @@ Vec3 farthest_point(const ConvexParts& parts, double size, const FlatFace& face,
         if (reach(part, face.n) < face.d - rounding) continue;
         Vec3 p = part.centre;
         for (const BallImage& image : part.images) {
-            const Vec3 up = components(image, face.n), c = glm::length(up) <= rounding ? components(image, way) : up;
-            const double length = glm::length(c);
-            if (length > 0) p += (c.x / length) * image.u + (c.y / length) * image.v + (c.z / length) * image.w;
+            const Vec3 up = components(image, face.n);
+            p += farthest_of(image, glm::length(up) <= rounding ? components(image, way) : up);
         }
         if (glm::dot(way, p) > glm::dot(way, best)) best = p;
     }
