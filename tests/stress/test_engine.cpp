@@ -40,8 +40,9 @@ std::string report(Theme theme, std::uint64_t seed, bool snap, const Solid& soli
 
 // Pairs of a ray and a solid that holds a shape of the kind, by kind.
 using KindCounts = std::array<std::uint64_t, std::variant_size_v<Shape>>;
-constexpr std::array<const char*, std::variant_size_v<Shape>> kKindNames{"box", "ellipsoid", "frustum", "torus", "half-space", "quadric", "capsule", "round box", "faceted ball",
-                                                                         "faceted frustum", "polyhedron", "extrusion", "revolution", "disc", "rectangle", "polygon", "parabola"};
+constexpr auto kKindNames = std::to_array<const char*>({"box", "ellipsoid", "frustum", "torus", "half-space", "quadric", "capsule", "round box", "convex body",
+                                                       "faceted ball", "faceted frustum", "polyhedron", "extrusion", "revolution", "disc", "rectangle", "polygon", "parabola"});
+static_assert(kKindNames.size() == std::variant_size_v<Shape>);
 
 void count_kinds(const Solid& solid, std::uint64_t pairs, KindCounts& counts) {
     std::array<bool, std::variant_size_v<Shape>> seen{};

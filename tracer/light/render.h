@@ -41,7 +41,7 @@ struct Shard { int index = 0, count = 1; };
 // A quarter of a step of eight bits.
 inline constexpr double kOwnNoise = 0x1p-10;
 
-// Requires: width, height, samples, max_depth, light_samples >= 1; 0 <= shard.index < shard.count; region inside the picture.
+// Requires: width, height, samples, light_samples >= 1; max_depth >= 0; 0 <= shard.index < shard.count; region inside the picture.
 struct RenderOptions {
     int width = 512, height = 512;
     int samples = 16;

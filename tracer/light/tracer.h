@@ -2,7 +2,7 @@
 //
 // With cones instead of rays (cone.h) edges that cross a pixel, a lamp's disc or a blurred image divide it: one ray for each part.
 //
-// One object a tile; it owns nothing. Continuation rays carry the events they leave, so there is no epsilon anywhere.
+// One object a thread; of memory it owns only what cones are divided in. Continuation rays carry the events they leave, so there is no epsilon anywhere.
 // Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984); Amanatides, Ray Tracing with Cones (1984).
 #pragma once
 

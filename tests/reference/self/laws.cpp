@@ -11,31 +11,20 @@ using namespace whittle;
 using namespace whittle::reference;
 using namespace whittle::support;
 
-namespace {
-
-// The reference makes shapes of facets from their corners, which are rounded; what is dropped goes by their planes.
-bool has_rounded_corners(const Solid& solid) {
-    for (NodeId id = 0; id < solid.node_count(); ++id)
-        if (const auto* shape = std::get_if<Shape>(&solid.node(id)))
-            if (std::holds_alternative<shape::FacetedBall>(*shape) || std::holds_alternative<shape::FacetedFrustum>(*shape)) return true;
-    return false;
-}
-
-}  // namespace
-
 TEST_CASE("simplifying a solid while it is built changes no border of it") {
     const std::uint64_t first_seed = fresh_seed();
     WARN("WHITTLE_SEED=" << first_seed);
     std::mt19937_64 random(first_seed);
     int met = 0, simplified = 0;
-    for (int round = 0; round < 400; ++round) {
+    for (int round = 0; round < 240; ++round) {
         const Theme theme = static_cast<Theme>(round % kThemes);
         const std::uint64_t seed = random();
         const RandomSolid kept = random_solid(theme, seed, {false, false, false}), slim = random_solid(theme, seed);
         REQUIRE(has_formula(slim.solid));
-        if (has_rounded_corners(kept.solid)) continue;
         simplified += slim.solid.node_count() < kept.solid.node_count();
-        const Evaluator a(kept.solid), b(slim.solid);
+        // Rounded, the placements of two shapes that touch may part them or make them overlap by a film; what is dropped goes by the solid as it is written.
+        const Options unrounded{false, 0};
+        const Evaluator a(kept.solid, unrounded), b(slim.solid, unrounded);
         for (int i = 0; i < 10; ++i) {
             const Ray ray = random_ray(kept, random);
             const Borders x = a.borders(ray), y = b.borders(ray);
