@@ -10,7 +10,7 @@ namespace {
 
 Event event_of(ClassId id, const Crossings& c, int i) {
     const auto k = static_cast<std::size_t>(i);
-    return {c.t[k], c.error[k], id, static_cast<std::uint8_t>(i), false};
+    return {c.t[k], c.error[k], id, static_cast<std::uint32_t>(i)};
 }
 
 IntervalSet<Event> set_of(const Crossings& c, ClassId id, bool starts_inside) {
@@ -23,6 +23,10 @@ IntervalSet<Event> set_of(const Crossings& c, ClassId id, bool starts_inside) {
 class Narrowing {
 public:
     explicit Narrowing(RayContext& context) : context_(context) {}
+
+    // The slabs that a cell begins with. Their number of half-spaces; 0: they have to be added one by one.
+    std::uint32_t add(const CellSlabs& slabs) { return context_.crossings(slabs, lo, hi) ? slabs.planes : 0; }
+    bool is_empty() { return context_.compare(lo, hi) >= 0; }
 
     // False: the interval is empty.
     bool add(const HalfSpace& h) {
@@ -49,7 +53,7 @@ public:
         return context_.compare(lo, hi) < 0;
     }
 
-    Event lo{-HUGE_VAL, 0, kNoClass, 0, false}, hi{HUGE_VAL, 0, kNoClass, 0, false};
+    Event lo{-HUGE_VAL, 0, kNoClass}, hi{HUGE_VAL, 0, kNoClass};
     bool more = false;  // some half-space is not one interval on the ray
 
 private:
@@ -60,7 +64,10 @@ private:
 bool narrow(const Leaf& leaf, RayContext& context, Narrowing& n) {
     const Program& program = context.program();
     std::uint32_t k = 0;
-    if (leaf.facets != Leaf::kNoFacets) {
+    if (leaf.slabs != Leaf::kNoSlabs) {
+        k = n.add(program.cell_slabs[leaf.slabs]);
+        if (k > 0 && n.is_empty()) return false;
+    } else if (leaf.facets != Leaf::kNoFacets) {
         const FacetTree& tree = program.facet_trees[leaf.facets];
         FacetSearch& search = context.facet_search();
         if (!search.run(program.facet_chunks, tree, facet_line(tree, context.ray().origin, context.ray().direction))) return false;

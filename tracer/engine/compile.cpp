@@ -58,7 +58,7 @@ void describe_flat(Program& program) {
 void shrink(Program& program) {
     if (std::none_of(program.balls.begin(), program.balls.end(), [](const ItemBall& b) { return b.r > 0; })) program.balls.clear();
     const auto all = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
-    all(program.frames, program.motions, program.classes, program.half_spaces, program.leaves, program.leaf_boxes, program.class_labels, program.groups, program.refs,
+    all(program.frames, program.motions, program.classes, program.half_spaces, program.cell_slabs, program.leaves, program.leaf_boxes, program.class_labels, program.groups, program.refs,
         program.balls, program.nodes, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
         program.matter_order);
 }
@@ -136,8 +136,28 @@ private:
         leaf.first = static_cast<std::uint32_t>(program_.half_spaces.size());
         leaf.count = static_cast<std::uint32_t>(sides.size());
         program_.half_spaces.insert(program_.half_spaces.end(), sides.begin(), sides.end());
+        add_slabs(sides, leaf);
         add_facets(n.box, sides, leaf);
     }
+
+    // Of pairs of axis planes of the root frame that come first.
+    void add_slabs(const std::vector<HalfSpace>& sides, Leaf& leaf) {
+        CellSlabs slabs;
+        slabs.at.fill({-HUGE_VAL, HUGE_VAL});
+        for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+            const Support &a = classes_.supports[sides[i].id()], &b = classes_.supports[sides[i + 1].id()];
+            if (!is_of_root(a) || !is_of_root(b) || a.axis != b.axis || sides[i].inverted() == sides[i + 1].inverted() || slabs.at[a.axis][0] != -HUGE_VAL) break;
+            const std::size_t upper = sides[i].inverted() ? 1 : 0;
+            slabs.at[a.axis] = {classes_.supports[sides[i + 1 - upper].id()].p[0], classes_.supports[sides[i + upper].id()].p[0]};
+            slabs.id[a.axis] = {sides[i + 1 - upper].id(), sides[i + upper].id()};
+            slabs.planes += 2;
+        }
+        if (slabs.planes == 0) return;
+        leaf.slabs = static_cast<std::uint32_t>(program_.cell_slabs.size());
+        program_.cell_slabs.push_back(slabs);
+    }
+
+    static bool is_of_root(const Support& s) { return s.kind == SupportKind::kAxisPlane && s.frame == 0; }
 
     // A tree over the planes of a cell that has many.
     void add_facets(const Bounds& box, const std::vector<HalfSpace>& sides, Leaf& leaf) {

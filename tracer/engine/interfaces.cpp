@@ -12,12 +12,9 @@ namespace {
 
 // Is the change at `e` from one material to another, inside of the solid before and behind?
 bool divides(const Program& program, Walker& walker, const Event& e, std::uint32_t& from, std::uint32_t& to) {
-    Event before = e, behind = e;
-    before.before = true;
-    behind.before = false;
-    from = walker.matter_at(program.root, before);
+    from = walker.matter_at(program.root, Event::beside(e, true));
     if (from == Walker::kNoLeafUse) return false;
-    to = walker.matter_at(program.root, behind);
+    to = walker.matter_at(program.root, Event::beside(e, false));
     return to != Walker::kNoLeafUse && to != from && !(program.uses[from].material == program.uses[to].material);
 }
 
@@ -27,8 +24,8 @@ Interface interface_at(const Program& program, RayContext& context, const Ray& r
     r.at.t = e.t;
     r.at.t_error = e.error;
     r.at.use = to;
-    r.at.surface = e.id;
-    const Support& support = program.classes[e.id];
+    r.at.surface = e.id();
+    const Support& support = program.classes[e.id()];
     r.at.normal = unit_gradient(support, context.frame(support.frame), point_at(ray, e.t));
     if (glm::dot(r.at.normal, ray.direction) > 0) r.at.normal = -r.at.normal;
     return r;
@@ -45,7 +42,7 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
     std::vector<Walker::MatterChange> changes;
     walker.matter_changes(program.root, changes);
     std::stable_sort(changes.begin(), changes.end(), [&](const auto& a, const auto& b) { return context.compare(a.event, b.event) < 0; });
-    const Event origin{0, 0, kNoClass, 0, false};
+    const Event origin{0, 0, kNoClass};
     for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
         const Event& e = changes[i].event;
         std::vector<Walker::Cause> causes;

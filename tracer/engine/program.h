@@ -23,7 +23,7 @@ struct HalfSpace {
 
 // A leaf of the formula. kCell: half_spaces[first, first+count), planes first. kPrism, kMesh: data index in `first`.
 struct Leaf {
-    static constexpr std::uint32_t kNoFacets = 0xFFFFFFFF;
+    static constexpr std::uint32_t kNoFacets = 0xFFFFFFFF, kNoSlabs = 0xFFFFFFFF;
     FormulaKind kind = FormulaKind::kCell;
     bool negated = false;
     bool fills = true;  // its use is not subtracted
@@ -31,6 +31,14 @@ struct Leaf {
     std::uint32_t first = 0, count = 0;
     std::uint32_t use = 0;
     std::uint32_t facets = kNoFacets;  // cells of many planes: their tree
+    std::uint32_t slabs = kNoSlabs;    // in `cell_slabs`
+};
+
+// The first half-spaces of a cell where they are pairs of axis planes of the root frame: what a ray needs of them, in one place. Infinite across other axes.
+struct CellSlabs {
+    std::array<std::array<double, 2>, 3> at;  // by axis: least, greatest
+    std::array<std::array<ClassId, 2>, 3> id{};
+    std::uint32_t planes = 0;
 };
 
 // A leaf or a group.
@@ -114,6 +122,7 @@ public:
     std::vector<MotionGroup> motions;
     std::vector<Support> classes;
     std::vector<HalfSpace> half_spaces;
+    std::vector<CellSlabs> cell_slabs;
     std::vector<Leaf> leaves;
     std::vector<FloatBox> leaf_boxes;      // around each leaf that is not negated, around what it takes away where it is; may be infinite
     std::vector<ClassLabel> class_labels;  // by class

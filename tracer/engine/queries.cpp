@@ -34,9 +34,7 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
     if (first != kNone && !program.uses[first].subtracts) return first;
     if (named != kNone) return named;
     if (program.flat && program.flat_matter != kNone) return program.flat_matter;
-    Event inside = at;
-    inside.before = !entering;
-    const std::uint32_t held = walker.matter_at(program.root, inside);
+    const std::uint32_t held = walker.matter_at(program.root, Event::beside(at, !entering));
     return held != kNone ? held : first;
 }
 
@@ -44,16 +42,14 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
 Event border_of(const std::vector<Walker::Cause>& causes, const Event& e) {
     const Event* first = nullptr;
     for (const Walker::Cause& c : causes)
-        if (!first || c.event.id < first->id || (c.event.id == first->id && c.event.index < first->index)) first = &c.event;
-    Event border = first ? *first : e;
-    border.before = false;
-    return border;
+        if (!first || c.event.id() < first->id() || (c.event.id() == first->id() && c.event.index() < first->index())) first = &c.event;
+    return Event::beside(first ? *first : e, false);
 }
 
 // The border at `e`, which becomes the event that stands for it; its causes are left in `impl`.
-End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event& e, bool entering) {
+void make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event& e, bool entering, End& end) {
     impl.causes.clear();
-    e.before = false;
+    e = Event::beside(e, false);
     Walker::Cause sole;
     if (impl.walker.sole_cause(e, sole)) {
         impl.causes.push_back(sole);
@@ -62,10 +58,9 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event&
     }
     if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(e, impl.causes);
     e = border_of(impl.causes, e);
-    End end;
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
-    end.surface = e.id;
+    end.surface = e.id();
     end.certified = impl.walker.are_certain(impl.causes);
     if (!end.certified) ++impl.walker.context().counters().uncertified;
     end.use = shown_use(program, impl.walker, impl.causes, e, entering);
@@ -73,26 +68,24 @@ End make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event&
     end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point_at(ray, e.t));
     const double along = glm::dot(end.normal, ray.direction);
     if ((along > 0) == entering) end.normal = -end.normal;
-    return end;
 }
 
 // The classes that make a border: in order, the first of them if there are many.
-Departure departure_from(const std::vector<Walker::Cause>& causes) {
-    Departure d;
+void depart_from(const std::vector<Walker::Cause>& causes, Departure& d) {
+    d = {};
     for (const Walker::Cause& c : causes) {
-        const auto end = d.classes.begin() + d.count, at = std::lower_bound(d.classes.begin(), end, c.event.id);
-        if (at == d.classes.end() || (at != end && *at == c.event.id)) continue;
+        const auto end = d.classes.begin() + d.count, at = std::lower_bound(d.classes.begin(), end, c.event.id());
+        if (at == d.classes.end() || (at != end && *at == c.event.id())) continue;
         if (d.count < static_cast<int>(d.classes.size())) ++d.count;
         std::copy_backward(at, d.classes.begin() + d.count - 1, d.classes.begin() + d.count);
-        *at = c.event.id;
+        *at = c.event.id();
     }
-    return d;
 }
 
 Found first_event(const Program& program, Walker& walker, const Event& start, bool& from_inside, Event& e) {
     Found found = walker.next(program.root, start, true, e);
     // Inside up to an exit at t = 0 is outside: the walk begins behind it.
-    if (found == Found::kHere && start.before) found = walker.next(program.root, origin(false), true, e);
+    if (found == Found::kHere && start.before()) found = walker.next(program.root, origin(false), true, e);
     from_inside = found == Found::kHere;
     return from_inside ? walker.next(program.root, origin(false), false, e) : found;
 }
@@ -105,7 +98,7 @@ Found first_of_all(const Program& program, Walker& walker, const Event& start, b
     for (; i < changes.count; ++i) {
         e = walker.change(changes.first + i);
         const int where = walker.context().compare(e, origin(false));
-        if (where > 0 || (where == 0 && start.before && !inside)) break;
+        if (where > 0 || (where == 0 && start.before() && !inside)) break;
         inside = !inside;
     }
     from_inside = inside;
@@ -128,10 +121,10 @@ bool first_hit(const Program& program, const Ray& ray, double t_max, Scratch& sc
     };
     if (!ask(t_max)) return false;
     // An event whose t is only known to lie about there may lie beyond the limit, and then others, left out for the limit, before it.
-    if (impl.walker.context().compare(e, {t_max, 0, kNoClass, 0, false}) > 0 && !ask(HUGE_VAL)) return false;
-    hit.end = make_end(program, impl, ray, e, !hit.from_inside);
+    if (impl.walker.context().compare(e, {t_max, 0, kNoClass}) > 0 && !ask(HUGE_VAL)) return false;
+    make_end(program, impl, ray, e, !hit.from_inside, hit.end);
     hit.point = point_at(ray, e.t);
-    hit.departure = departure_from(impl.causes);
+    depart_from(impl.causes, hit.departure);
     return true;
 }
 
@@ -170,7 +163,9 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
     };
     // Ends closer than rounding keep their order in t too: the exact t lies between the last end's and this one's, each within its bound.
     double last_t = 0, last_error = 0;
-    const auto ascending = [&](End end) {
+    const auto ascending = [&](Event e, bool entering) {
+        End end;
+        make_end(program, impl, ray, e, entering, end);
         if (end.t < last_t) {
             end.t = last_t;
             end.t_error = std::max(end.t_error, last_error);
@@ -192,9 +187,9 @@ void all_spans(const Program& program, const Ray& ray, Scratch& scratch, Spans& 
         inside = !inside;
         if (inside) {
             open_span();
-            spans.back().in = ascending(make_end(program, impl, ray, e, true));
+            spans.back().in = ascending(e, true);
         } else if (open) {
-            spans.back().out = ascending(make_end(program, impl, ray, e, false));
+            spans.back().out = ascending(e, false);
             open = false;
         }
     }

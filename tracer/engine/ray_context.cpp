@@ -2,6 +2,7 @@
 #include "tracer/engine/ray_context.h"
 
 #include <cstring>
+#include <limits>
 
 #include "tracer/engine/convex.h"
 
@@ -35,6 +36,7 @@ void RayContext::start(const Program& program, const Ray& ray, EngineCounters& c
     slab_ = slab_ray(root_.o, root_.d);
     has_towards_ = false;
     for (std::size_t i = 0; i < 3; ++i) regular_[i] = std::isnormal(slab_.inverse[i]) && std::isfinite(root_.o[i]);
+    direct_ = filter_ && regular_[0] && regular_[1] && regular_[2];
 }
 
 namespace {
@@ -86,11 +88,44 @@ void RayContext::leave_unsettled(ClassId id) {
     if (!unsettled(id)) unsettled_.push_back(id);
 }
 
-bool RayContext::leaves(ClassId id) const {
-    if (ray_.departure == nullptr) return false;
-    for (int i = 0; i < ray_.departure->count; ++i)
-        if (ray_.departure->classes[static_cast<std::size_t>(i)] == id) return true;
-    return false;
+FloatBox RayContext::place_of(const Event& e) const {
+    FloatBox box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double way = e.t * root_.d[i], at = root_.o[i] + way;
+        const double room = 4 * kUnitRoundoff * (std::abs(root_.o[i]) + std::abs(way)) + 2 * e.error * std::abs(root_.d[i]);
+        const auto lo = static_cast<float>(at - room), hi = static_cast<float>(at + room);
+        box.lo[i] = lo - std::abs(lo) * 0x1p-22f - std::numeric_limits<float>::min();
+        box.hi[i] = hi + std::abs(hi) * 0x1p-22f + std::numeric_limits<float>::min();
+    }
+    return box;
+}
+
+bool RayContext::crossings(const CellSlabs& slabs, Event& in, Event& out) const {
+    if (!direct_) return false;
+    if (ray_.departure != nullptr)
+        for (const auto& pair : slabs.id)
+            if (leaves(pair[0]) || leaves(pair[1])) return false;
+    std::array<double, 3> begin, end;
+    for (std::size_t i = 0; i < 3; ++i) {
+        begin[i] = (slabs.at[i][slab_.negative[i]] - root_.o[i]) * slab_.inverse[i];
+        end[i] = (slabs.at[i][1u - slab_.negative[i]] - root_.o[i]) * slab_.inverse[i];
+    }
+    const auto greater = [&](std::size_t i, std::size_t k) { return begin[i] > begin[k] ? i : k; };
+    const auto lesser = [&](std::size_t i, std::size_t k) { return end[i] < end[k] ? i : k; };
+    const std::size_t last = greater(2, greater(1, 0)), first = lesser(2, lesser(1, 0));
+    // Bounds are 4 u |t|: as |x| <= |t| + gap, those of t and x are less than the gap together where it exceeds 12 u |t|.
+    const double of_begin = 12 * kUnitRoundoff * std::abs(begin[last]), of_end = 12 * kUnitRoundoff * std::abs(end[first]);
+    int close = 0;
+    for (std::size_t i = 0; i < 3; ++i) close += !(begin[last] - begin[i] > of_begin) + !(end[i] - end[first] > of_end);
+    if (close != 2) return false;
+    const auto event = [&](std::size_t i, std::size_t side) {
+        double t = 0, error = 0;
+        single::axis_plane_crossing<double>(slabs.at[i][side], root_.o[i], slab_.inverse[i], t, error);
+        return Event(t, mutated(Mutation::kNoBounds) ? 0 : error, slabs.id[i][side]);
+    };
+    in = event(last, slab_.negative[last]);
+    out = event(first, 1u - slab_.negative[first]);
+    return true;
 }
 
 void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) {
@@ -166,19 +201,19 @@ const RayContext::Exact& RayContext::exact(ClassId id) {
 }
 
 bool RayContext::fine(const Event& e, double& high, double& low, double& error) {
-    if (e.id == kNoClass) {
+    if (e.id() == kNoClass) {
         high = e.t;
         low = error = 0;
         return true;
     }
-    const Support& s = program_->classes[e.id];
-    if (is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
+    const Support& s = program_->classes[e.id()];
+    if (is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id()), e.index(), high, low, error);
     if (!has_polynomial(s.kind)) return false;
-    return fine_crossing(s, frame(s.frame), ray_, leaves(e.id), e.index, high, low, error);
+    return fine_crossing(s, frame(s.frame), ray_, leaves(e.id()), e.index(), high, low, error);
 }
 
 int RayContext::compare_closely(const Event& a, const Event& b) {
-    if (a.id == b.id) return a.id == kNoClass ? (a.t > b.t) - (a.t < b.t) : (a.index > b.index) - (a.index < b.index);
+    if (a.id() == b.id()) return a.id() == kNoClass ? (a.t > b.t) - (a.t < b.t) : (a.index() > b.index()) - (a.index() < b.index());
     if ((a.error == 0 && b.error == 0) || !kCertifies) return (a.t > b.t) - (a.t < b.t);
     ++counters_->escalated_double_double;
     double ah = 0, al = 0, ae = 0, bh = 0, bl = 0, be = 0;
@@ -194,15 +229,15 @@ int RayContext::compare_exactly(const Event& a, const Event& b) {
     if (mutated(Mutation::kNoExactTier)) return (a.t > b.t) - (a.t < b.t);
     // There is no exact form of a twisted side or a convex body: what bounds cannot tell apart is one place.
     for (const Event* e : {&a, &b}) {
-        if (e->id == kNoClass || !is_transcendental(e->id)) continue;
-        leave_unsettled(e->id);
+        if (e->id() == kNoClass || !is_transcendental(e->id())) continue;
+        leave_unsettled(e->id());
         return 0;
     }
     ++counters_->escalated_exact;
-    if (a.id == kNoClass) return -compare_exactly(b, a);
-    const exact::RealRoot first = exact(a.id).roots[a.index];
-    if (b.id == kNoClass) return b.t == 0 ? first.sign() : exact::RealRoot::compare(first, exact::RealRoot::at(exact::Dyadic(b.t)));
-    return exact::RealRoot::compare(first, exact(b.id).roots[b.index]);
+    if (a.id() == kNoClass) return -compare_exactly(b, a);
+    const exact::RealRoot first = exact(a.id()).roots[a.index()];
+    if (b.id() == kNoClass) return b.t == 0 ? first.sign() : exact::RealRoot::compare(first, exact::RealRoot::at(exact::Dyadic(b.t)));
+    return exact::RealRoot::compare(first, exact(b.id()).roots[b.index()]);
 }
 
 }  // namespace whittle

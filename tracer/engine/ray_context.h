@@ -18,11 +18,22 @@
 namespace whittle {
 
 // A crossing of a class; or, with no class, t = 0 or an infinite t. As a cursor it means the place just behind the event, or just before it.
-struct Event {
+class Event {
+public:
     double t = 0, error = 0;
-    ClassId id = kNoClass;
-    std::uint8_t index = 0;
-    bool before = false;
+
+    Event() = default;
+    Event(double t_of, double error_of, ClassId id, std::uint32_t index = 0, bool before = false)
+        : t(t_of), error(error_of), rest_(id | std::uint64_t{index} << 32 | std::uint64_t{before} << 63) {}
+    // Before it or, as is usual, behind it.
+    static Event beside(const Event& e, bool before) { return {e.t, e.error, e.id(), e.index(), before}; }
+
+    ClassId id() const { return static_cast<ClassId>(rest_); }
+    std::uint32_t index() const { return static_cast<std::uint32_t>(rest_ >> 32) & 0x7FFFFFFF; }
+    bool before() const { return rest_ >> 63 != 0; }
+
+private:
+    std::uint64_t rest_ = kNoClass;  // written and copied as one: events are copied right after they are made
 };
 
 // What was found of turned sides and convex bodies on the ray, which cells share: the last few of each.
@@ -79,15 +90,19 @@ public:
     // Crossings of a class, certain in number and order.
     void crossings(ClassId id, Crossings& out) {
         const Support& s = program_->classes[id];
-        if (s.kind == SupportKind::kAxisPlane && s.frame == 0 && ray_.departure == nullptr && regular_[s.axis]) {
+        if (s.kind == SupportKind::kAxisPlane && s.frame == 0 && regular_[s.axis] && !leaves(id)) {
             axis_plane_crossing(s.p[0], root_.o[s.axis], root_.d[s.axis], slab_.inverse[s.axis], out);
         } else {
             curved_crossings(id, s, out);
         }
         if (mutated(Mutation::kNoBounds)) out.error = {};
     }
+    // Where the ray enters the last of the slabs and leaves the first, though it may leave before it enters. False: not known so quickly.
+    bool crossings(const CellSlabs& slabs, Event& in, Event& out) const;
     // The same of an item that is one ball. False: not decidable in double.
     bool crossings(const ItemBall& ball, Crossings& out);
+    // A box that holds the ray's place at the event, wherever within its bound that is.
+    FloatBox place_of(const Event& e) const;
     // -1, 0, 1 as a lies before, at, behind b on the ray; `before` is not looked at.
     int compare(const Event& a, const Event& b) {
         if (!filter_ && std::isfinite(a.t) && std::isfinite(b.t)) return compare_closely(a, b);
@@ -95,7 +110,7 @@ public:
         const int order = (d > room) - (d < -room);
         counters_->skipped_by(EnginePass::kFilter) += order != 0 && filter_;
         if (order != 0) return order;
-        if (mutated(Mutation::kRayEpsilon) && std::abs(d) <= 1e-12 && a.id != b.id) return 0;
+        if (mutated(Mutation::kRayEpsilon) && std::abs(d) <= 1e-12 && a.id() != b.id()) return 0;
         return compare_closely(a, b);
     }
 
@@ -115,7 +130,11 @@ private:
         Crossings crossings;
     };
 
-    bool leaves(ClassId id) const;
+    bool leaves(ClassId id) const {
+        if (ray_.departure == nullptr) return false;
+        const auto end = ray_.departure->classes.begin() + ray_.departure->count;
+        return std::find(ray_.departure->classes.begin(), end, id) != end;
+    }
     void leave_unsettled(ClassId id);
     void curved_crossings(ClassId id, const Support& s, Crossings& out);
     void shared_crossings(ClassId id, const Support& s, Crossings& out);
@@ -135,6 +154,7 @@ private:
     std::vector<ClassId> unsettled_;  // seldom any
     SlabRay slab_;
     bool filter_ = true;             // EnginePass
+    bool direct_ = false;            // the three coordinates are regular, and comparisons may be left to bounds
     std::array<bool, 3> regular_{};  // the direction's coordinate has a finite, normal inverse
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> frame_stamps_;

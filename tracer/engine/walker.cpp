@@ -11,8 +11,9 @@ void Walker::start(const Program& program, const Ray& ray, EngineCounters& count
     far_ = far;
     boxes_ = program.makes(EnginePass::kBoxes);
     occlusion_ = program.makes(EnginePass::kOcclusion);
-    boxes_met_ = boxes_met();
-    waiting_.clear();
+    boxes_ahead_ = boxes_ahead();
+    boxes_touched_ = boxes_touched();
+    top_ = 0;
     met_.clear();
     met_balls_.clear();
     if (slots_.size() != program.leaves.size()) {
@@ -25,11 +26,6 @@ void Walker::start(const Program& program, const Ray& ray, EngineCounters& count
     }
     events_.clear();
     lists_.clear();
-}
-
-bool Walker::passed(const Event& change, const Event& cursor) {
-    const int c = context_.compare(change, cursor);
-    return c < 0 || (c == 0 && !cursor.before);
 }
 
 Walker::Changes Walker::leaf_changes(std::uint32_t index) {
@@ -48,17 +44,13 @@ Walker::Changes Walker::leaf_changes(std::uint32_t index) {
 
 Found Walker::next_in_leaf(std::uint32_t index, const Event& cursor, bool want, Event& out) {
     const Changes c = leaf_changes(index);
-    bool state = c.initial;
-    for (std::uint32_t i = 0; i < c.count; ++i) {
-        const Event& e = events_[c.first + i];
-        if (!passed(e, cursor)) {
-            if (state == want) return Found::kHere;
-            out = e;
-            return Found::kLater;
-        }
-        state = !state;
-    }
-    return state == want ? Found::kHere : Found::kNever;
+    const Event* const change = events_.data() + c.first;
+    std::uint32_t i = 0;
+    while (i < c.count && passed(change[i], cursor)) ++i;
+    if ((c.initial != (i % 2 != 0)) == want) return Found::kHere;
+    if (i == c.count) return Found::kNever;
+    out = change[i];
+    return Found::kLater;
 }
 
 // Is the group constant from `begin` on as far as the ray goes, because the ray misses its box?
@@ -88,46 +80,44 @@ void fetch(const WideNode& node) {
 
 }  // namespace
 
+// Puts the node's children that the ray meets in `range` on the stack, the nearest on top.
+void Walker::open(const WideNode& node, const Range& range) {
+    if (waiting_.size() < top_ + kWideBoxes) waiting_.resize(2 * (top_ + kWideBoxes));
+    std::array<double, kWideBoxes> from;
+    const BoxesAhead ahead = boxes_ahead_(node, context_.slab(), range.begin, range.end, from);
+    late_ += ahead.late;
+    Waiting* const met = waiting_.data() + top_;
+    std::size_t count = 0;
+    for (std::uint32_t left = ahead.met; left != 0; left &= left - 1) {
+        const auto k = static_cast<std::size_t>(__builtin_ctz(left));
+        if (!node.child[k].is_item()) fetch(context_.program().wide[node.child[k].index()]);
+        std::size_t at = count++;
+        for (; at > 0 && met[at - 1].from < from[k]; --at) met[at] = met[at - 1];
+        met[at] = {node.child[k], from[k]};
+    }
+    top_ += count;
+}
+
 // Visits the items of the hierarchy whose boxes the ray meets in `range`, which may change meanwhile, nearest first by their boxes within a node.
 // True: take(its ref's number) was, and ended it.
 template <class Take>
 bool Walker::each_item(const Group& g, const Range& range, Take take) {
     if (g.item_count == 0) return false;
-    const Program& program = context_.program();
     std::uint32_t taken = 0;
-    const std::size_t base = waiting_.size();
-    waiting_.push_back({WideChild::node(g.wide), -HUGE_VAL});
-    while (waiting_.size() > base) {
-        const Waiting next = waiting_.back();
-        waiting_.pop_back();
+    const std::size_t base = top_;
+    open(context_.program().wide[g.wide], range);
+    while (top_ > base) {
+        const Waiting next = waiting_[--top_];
         if (next.from > range.end) {
             ++late_;
-            continue;
-        }
-        if (next.child.is_item()) {
+        } else if (!next.child.is_item()) {
+            open(context_.program().wide[next.child.index()], range);
+        } else {
             ++taken;
-            if (take(next.child.index())) {
-                waiting_.resize(base);
-                return true;
-            }
-            continue;
+            if (!take(next.child.index())) continue;
+            top_ = base;
+            return true;
         }
-        const WideNode& node = program.wide[next.child.index()];
-        std::array<double, kWideBoxes> from;
-        std::array<Waiting, kWideBoxes> met;
-        std::size_t count = 0;
-        for (std::uint32_t left = boxes_met_(node, context_.slab(), range.begin, from); left != 0; left &= left - 1) {
-            const auto k = static_cast<std::size_t>(__builtin_ctz(left));
-            if (from[k] > range.end) {
-                ++late_;
-                continue;
-            }
-            if (!node.child[k].is_item()) fetch(program.wide[node.child[k].index()]);
-            std::size_t at = count++;
-            for (; at > 0 && met[at - 1].from < from[k]; --at) met[at] = met[at - 1];
-            met[at] = {node.child[k], from[k]};
-        }
-        waiting_.insert(waiting_.end(), met.begin(), met.begin() + static_cast<std::ptrdiff_t>(count));
     }
     context_.counters().skipped_by(EnginePass::kHierarchy) += g.item_count - taken;
     return false;
@@ -150,7 +140,7 @@ Found Walker::next_in_item(std::uint32_t ref, const Event& cursor, bool want, Ev
     const ItemBall& ball = *found;
     ++context_.counters().primitive_tests;
     if (c.count == 0) return Found::kNever;
-    const Event in{c.t[0], c.error[0], ball.id, 0, false}, behind{c.t[1], c.error[1], ball.id, 1, false};
+    const Event in{c.t[0], c.error[0], ball.id}, behind{c.t[1], c.error[1], ball.id, 1};
     const std::uint32_t leaf = context_.program().refs[ref].index();
     met_balls_.push_back({leaf, in});
     met_balls_.push_back({leaf, behind});
@@ -206,42 +196,76 @@ bool Walker::each_entered(const Group& g, const Range& range, Visit visit) {
     return !each_item(g, range, [&](std::uint32_t ref) { return !visit(program.refs[ref]); });
 }
 
-// One round over the children that may not be `want` at the cursor; moves it forward over each.
-Found Walker::pass(const Group& g, Event& cursor, bool want, bool& moved) {
-    Found result = Found::kHere;
-    Range range = around(cursor);
-    each_entered(g, range, [&](Ref ref) {
-        Event e;
-        const Found f = next(ref, cursor, want, e);
-        if (f == Found::kNever) {
-            result = Found::kNever;
-            return false;
-        }
-        if (f == Found::kLater) {
-            cursor = e;
-            range = around(e);
-            moved = true;
-            if (e.t - e.error > far_) {
-                result = Found::kNever;
-                return false;
+// Visits the items of the hierarchy whose boxes touch a place, which may change meanwhile. True: take(its ref's number) was, and ended it.
+template <class Take>
+bool Walker::each_item_at(const Group& g, const FloatBox& place, Take take) {
+    if (g.item_count == 0) return false;
+    const Program& program = context_.program();
+    std::uint32_t taken = 0;
+    const std::size_t base = top_;
+    for (WideChild at = WideChild::node(g.wide);; at = waiting_[--top_].child) {
+        if (at.is_item()) {
+            ++taken;
+            if (take(at.index())) {
+                top_ = base;
+                return true;
             }
+        } else {
+            if (waiting_.size() < top_ + kWideBoxes) waiting_.resize(2 * (top_ + kWideBoxes));
+            const WideNode& node = program.wide[at.index()];
+            for (std::uint32_t left = boxes_touched_(node, place); left != 0; left &= left - 1) waiting_[top_++].child = node.child[static_cast<std::size_t>(__builtin_ctz(left))];
         }
-        return true;
+        if (top_ == base) break;
+    }
+    context_.counters().skipped_by(EnginePass::kHierarchy) += g.item_count - taken;
+    return false;
+}
+
+// Plain children, then the items whose boxes hold the place of an event. False: as above.
+template <class Visit>
+bool Walker::each_entered_at(const Group& g, const Event& at, Visit visit) {
+    const Program& program = context_.program();
+    for (std::uint32_t i = 0; i < g.plain_count; ++i)
+        if (!visit(program.refs[g.first_plain + i])) return false;
+    return !each_item_at(g, context_.place_of(at), [&](std::uint32_t ref) { return !visit(program.refs[ref]); });
+}
+
+// Moves the cursor over the node to where it is next `want`. kNever: nowhere before the ray's far end.
+Found Walker::advance(Ref ref, Event& cursor, bool want) {
+    Event e;
+    const Found found = next(ref, cursor, want, e);
+    if (found != Found::kLater) return found;
+    cursor = e;
+    return e.t - e.error > far_ ? Found::kNever : found;
+}
+
+// One round over the items that may not be `want` at the cursor; moves it forward over each. kHere: it has not moved.
+Found Walker::advance_over_items(const Group& g, Event& cursor, bool want) {
+    Found result = Found::kHere;
+    FloatBox place = context_.place_of(cursor);
+    each_item_at(g, place, [&](std::uint32_t ref) {
+        const Found found = advance(context_.program().refs[ref], cursor, want);
+        if (found == Found::kHere) return false;
+        result = found;
+        place = context_.place_of(cursor);
+        return found == Found::kNever;
     });
     return result;
 }
 
+// Plain children and, as one, the items take turns until all agree at the cursor. A plain child that has moved it there does.
 Found Walker::next_of_all(const Group& g, const Event& cursor, bool want, Event& out) {
-    Event at = cursor;
+    const std::uint32_t parts = g.plain_count + (g.item_count > 0 ? 1 : 0);
+    out = cursor;
     bool ever = false;
-    while (true) {
-        bool moved = false;
-        if (pass(g, at, want, moved) == Found::kNever) return Found::kNever;
-        if (!moved) break;
-        ever = true;
-        if (g.plain_count + g.item_count == 1) break;
+    std::uint32_t k = 0;
+    for (std::uint32_t agree = 0; agree < parts; k = k + 1 < parts ? k + 1 : 0) {
+        const bool plain = k < g.plain_count;
+        const Found found = plain ? advance(context_.program().refs[g.first_plain + k], out, want) : advance_over_items(g, out, want);
+        if (found == Found::kNever) return found;
+        ever = ever || found == Found::kLater;
+        agree = found == Found::kHere ? agree + 1 : plain ? 1 : 0;
     }
-    out = at;
     return ever ? Found::kLater : Found::kHere;
 }
 
@@ -309,10 +333,8 @@ void Walker::causes(Ref ref, const Event& at, std::vector<Cause>& out) {
             if (context_.compare(events_[c.first + i], at) == 0) out.push_back({ref.index(), events_[c.first + i]});
         return;
     }
-    Event before = at, behind = at;
-    before.before = true;
-    behind.before = false;
-    each_entered(context_.program().groups[ref.index()], around(at), [&](Ref child) {
+    const Event before = Event::beside(at, true), behind = Event::beside(at, false);
+    each_entered_at(context_.program().groups[ref.index()], at, [&](Ref child) {
         if (state(child, before) != state(child, behind)) causes(child, at, out);
         return true;
     });
@@ -353,7 +375,7 @@ std::uint32_t Walker::matter_at(Ref ref, const Event& cursor) {
         return leaf.fills ? leaf.use : kNoLeafUse;
     }
     std::uint32_t first = kNoLeafUse;
-    each_entered(program.groups[ref.index()], around(cursor), [&](Ref child) {
+    each_entered_at(program.groups[ref.index()], cursor, [&](Ref child) {
         const std::uint32_t use = matter_at(child, cursor);
         if (use != kNoLeafUse && (first == kNoLeafUse || program.matter_order[use] < program.matter_order[first])) first = use;
         return true;
@@ -387,9 +409,9 @@ bool Walker::are_certain(const std::vector<Cause>& causes) const {
             if (!may_be_unsettled(id)) break;
             if (context_.unsettled(id)) return false;
         }
-        if (!context_.is_transcendental(c.event.id)) continue;
+        if (!context_.is_transcendental(c.event.id())) continue;
         for (const Cause& other : causes)
-            if (other.event.id != c.event.id) return false;
+            if (other.event.id() != c.event.id()) return false;
     }
     return true;
 }

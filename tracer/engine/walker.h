@@ -72,35 +72,45 @@ private:
     Found next_in_leaf(std::uint32_t leaf, const Event& cursor, bool want, Event& out);
     Found next_of_any(const Group& g, const Event& cursor, bool want, Event& out);
     Found next_of_all(const Group& g, const Event& cursor, bool want, Event& out);
-    Found pass(const Group& g, Event& cursor, bool want, bool& moved);
-    bool passed(const Event& change, const Event& cursor);
+    Found advance(Ref ref, Event& cursor, bool want);
+    Found advance_over_items(const Group& g, Event& cursor, bool want);
+    bool passed(const Event& change, const Event& cursor) {
+        const int order = context_.compare(change, cursor);
+        return order < 0 || (order == 0 && !cursor.before());
+    }
     bool misses(const Group& g, double begin);
     // By exact order: the t of a ray that grazes a face may be wrong by more than the part is away.
-    bool is_before_far(Found found, const Event& e) { return found == Found::kHere || (found == Found::kLater && context_.compare(e, {far_, 0, kNoClass, 0, false}) < 0); }
+    bool is_before_far(Found found, const Event& e) { return found == Found::kHere || (found == Found::kLater && context_.compare(e, {far_, 0, kNoClass}) < 0); }
     Found next_in_item(std::uint32_t ref, const Event& cursor, bool want, Event& out);
 
     // Of t; boxes that the ray meets in it matter.
     struct Range {
         double begin, end;
     };
-    static Range around(const Event& e) { return {e.t - e.error, e.t + e.error}; }
+    void open(const WideNode& node, const Range& range);
     template <class Take>
     bool each_item(const Group& g, const Range& range, Take take);
     template <class Take>
     bool each_ahead(const Group& g, const Range& range, Take take);
     template <class Visit>
     bool each_entered(const Group& g, const Range& range, Visit visit);
+    template <class Visit>
+    bool each_entered_at(const Group& g, const Event& at, Visit visit);
+    template <class Take>
+    bool each_item_at(const Group& g, const FloatBox& place, Take take);
     Changes merge(const Group& g, std::size_t first_list);
 
     RayContext context_;
     double far_ = 0;
-    BoxesMet boxes_met_ = nullptr;
-    // Of the hierarchies that are being gone through, the innermost last.
+    BoxesAheadOf boxes_ahead_ = nullptr;
+    BoxesTouchedBy boxes_touched_ = nullptr;
+    // Of the hierarchies that are being gone through, the innermost last: a stack of `top_`.
     struct Waiting {
         WideChild child;
         double from;
     };
     std::vector<Waiting> waiting_;
+    std::size_t top_ = 0;
     std::uint64_t late_ = 0;  // of those, how many turned out to lie behind their range
     bool boxes_ = true, occlusion_ = true;  // EnginePass
     std::uint32_t stamp_ = 0;

@@ -13,9 +13,11 @@
 
 namespace whittle {
 
-HWY_EXPORT(boxes_met);
+HWY_EXPORT(boxes_ahead_of);
+HWY_EXPORT(boxes_touched_by);
 
-BoxesMet boxes_met() { return &HWY_DYNAMIC_DISPATCH(boxes_met); }
+BoxesAheadOf boxes_ahead() { return &HWY_DYNAMIC_DISPATCH(boxes_ahead_of); }
+BoxesTouchedBy boxes_touched() { return &HWY_DYNAMIC_DISPATCH(boxes_touched_by); }
 
 namespace {
 

@@ -34,9 +34,18 @@ struct alignas(64) WideNode {
 // Appends the hierarchy, whose items are numbered in its order from `first_item` on, to `nodes`; returns its root. `boxes`: of the items, in that order.
 std::uint32_t widen(const Hierarchy& hierarchy, const std::vector<FloatBox>& boxes, std::uint32_t first_item, std::vector<WideNode>& nodes);
 
-// Which children's boxes the ray meets at `begin` or behind, and from where on (`from`, set for those).
-using BoxesMet = std::uint32_t (*)(const WideNode& node, const SlabRay& ray, double begin, std::array<double, kWideBoxes>& from);
+// Children by bit: whose boxes the ray meets in [begin, end]; and how many it meets, but only later.
+struct BoxesAhead {
+    std::uint32_t met = 0, late = 0;
+};
+// `from`, set for all: from where on the ray is in the box.
+using BoxesAheadOf = BoxesAhead (*)(const WideNode& node, const SlabRay& ray, double begin, double end, std::array<double, kWideBoxes>& from);
+
+// Children by bit whose boxes touch a box.
+using BoxesTouchedBy = std::uint32_t (*)(const WideNode& node, const FloatBox& box);
+
 // For the processor at hand: the answers are the same on every one.
-BoxesMet boxes_met();
+BoxesAheadOf boxes_ahead();
+BoxesTouchedBy boxes_touched();
 
 }  // namespace whittle
