@@ -10,6 +10,9 @@ namespace {
 constexpr int kMostSteps = 200;       // about 20 are usual
 constexpr double kRoundings = 24 * 0x1p-53;  // of a coordinate about the middle, across or along the line
 constexpr double kLeastShare = 0x1p-33;      // of the others: a coefficient below it is rounding
+constexpr std::size_t kAround = 8;           // directions about a normal
+constexpr double kLeastTilt = 0x1p-20;       // between them and it
+constexpr double kPi = 3.14159265358979323846;
 
 // About the body's middle, across the line (x, y) and along it (z).
 using Place = Vec3;
@@ -124,7 +127,8 @@ private:
             }
             const std::size_t leaves = high - low <= error_ * steepness ? corners.size() : leaving(triangle, share, w);
             if (leaves == corners.size()) {
-                out.certain = triangle.depth(share) > 8 * error_;
+                const double depth = triangle.depth(share);
+                out.certain = depth > 8 * error_ || rises_little(n, side, 8 * error_ + std::max(0.0, -depth), steepness, high);
                 break;
             }
             corners = triangle.corner;
@@ -134,6 +138,32 @@ private:
         out.error = (std::max(0.0, high - low) + 8 * error_ * std::max(steepness, steepness_low) + 4 * kRoundings * (std::fabs(low) + std::fabs(q_.z))) / length_;
         out.certain = out.certain && std::isfinite(out.error);
         return out;
+    }
+
+    // Where q lies on the triangle's rim, or as near beyond it as `room`, the exact one may be outside; then the body, which is convex, reaches over it from a point of
+    // the triangle within `room` towards one of a wider triangle around q. `high` becomes what that is at most. False: none of those tried is wide enough.
+    bool rises_little(const Vec3& n, double side, double room, double steepness, double& high) const {
+        if (!(room <= 64 * error_)) return false;
+        double least = HUGE_VAL;
+        for (double tilt = 1; tilt > kLeastTilt; tilt /= 8) {
+            std::array<Place, kAround> around;
+            for (std::size_t k = 0; k < kAround; ++k) {
+                const double turn = static_cast<double>(k) * (2 * kPi / kAround);
+                around[k] = farthest({n.x + tilt * steepness * std::cos(turn), n.y + tilt * steepness * std::sin(turn), n.z * side});
+                around[k].z *= side;
+            }
+            for (std::size_t i = 0; i < kAround; ++i)
+                for (std::size_t j = i + 1; j < kAround; ++j)
+                    for (std::size_t k = j + 1; k < kAround; ++k) {
+                        const Triangle wide({around[i], around[j], around[k]});
+                        const double depth = wide.depth(wide.shares(q_));
+                        if (!(depth > 16 * room)) continue;
+                        least = std::min(least, 2 * room / depth * std::max({0.0, around[i].z - high, around[j].z - high, around[k].z - high}));
+                    }
+        }
+        if (!(least < HUGE_VAL)) return false;
+        high += least + 2 * room * steepness;
+        return true;
     }
 
     // The corner that w takes the place of, such that the triangle still holds q; 3: rounding leaves none.

@@ -16,17 +16,49 @@ constexpr double kOutside = 0x1p-26;
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 double size_of(const std::array<double, 3>& v) { return glm::length(vector_of(v)); }
 
-// Is the border, which side 1 enters and -1 leaves, in a flat face? Then it goes outside.
+// Of the body's size: a border that is less certain than this along the ray may be anywhere in a flat face or beside it.
+constexpr double kAlong = 0x1p-20;
+constexpr int kMostSteps = 64;
+
+// Is the point, in the face's plane, deeper in the face than `room`? Two points of the face make a triangle with its middle; while that does not hold the point,
+// what lies farthest across their line takes the place of one.
+bool lies_within(const ConvexHullBody& body, const FlatFace& face, const Vec3& point, double room) {
+    const Vec3 helper = std::abs(face.n.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), x = glm::normalize(glm::cross(helper, face.n)), y = glm::cross(face.n, x);
+    const auto flat = [&](const Vec3& p) { return Vec2(glm::dot(p - face.middle, x), glm::dot(p - face.middle, y)); };
+    const auto farthest = [&](const Vec2& way) { return flat(farthest_point(body.parts, body.size, face, way.x * x + way.y * y)); };
+    const auto cross = [](const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; };
+    const Vec2 q = flat(point);
+    const double length = glm::length(q);
+    const Vec2 way = length > room ? q / length : Vec2(1, 0);
+    Vec2 a = farthest(way), b = farthest(cross(way, a) > 0 ? Vec2(way.y, -way.x) : Vec2(-way.y, way.x));
+    for (int step = 0; step < kMostSteps; ++step) {
+        Vec2 n(b.y - a.y, a.x - b.x);
+        if (!(glm::length(n) > 0)) return false;
+        n *= (glm::dot(n, way) < 0 ? -1 : 1) / glm::length(n);
+        if (glm::dot(n, q - a) < -room) return true;
+        const Vec2 w = farthest(n);
+        if (!(glm::dot(n, q - w) < -room) || !(glm::dot(n, w - a) > room)) return false;
+        ((cross(way, w) > 0) == (cross(way, a) > 0) ? a : b) = w;
+    }
+    return false;
+}
+
+// Is the border, which side 1 enters and -1 leaves, in a flat face? Then it goes outside; it is certain off the face's rim. A ray that runs almost in the face's
+// plane or along what is beside it is not told apart: it keeps its border.
 void yield_to_faces(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room, double side, ConvexSpan::Border& border) {
     for (const FlatFace& face : body.faces) {
         const double along = glm::dot(face.n, d);
         if (!(side * along < 0)) continue;
-        const double t = (face.d - glm::dot(face.n, o)) / along;
-        const double rounding = (room + 0x1p-48 * (std::abs(face.d) + glm::length(o) + body.size)) / std::abs(along);
-        if (!(std::abs(t - border.t) <= border.error + rounding)) continue;
+        const double t = (face.d - glm::dot(face.n, o)) / along, length = glm::length(d);
+        const double rounding = (room + 0x1p-48 * (std::abs(face.d) + glm::length(o) + body.size)) / std::abs(along), window = border.error + rounding;
+        if (!(std::abs(t - border.t) <= window)) continue;
+        if (!(window * length <= kAlong * body.size)) {
+            border.certain = false;
+            continue;
+        }
         border.t = t - side * kOutside * body.size / std::abs(along);
         border.error = rounding;
-        border.certain = true;
+        border.certain = lies_within(body, face, o + t * d, 4 * window * length);
     }
 }
 

@@ -208,7 +208,7 @@ bool RayContext::fine(const Event& e, double& high, double& low, double& error) 
     }
     const Support& s = program_->classes[e.id()];
     if (is_turned(s.kind)) return fine_turned(s, frame(s.frame), ray_, leaves(e.id()), e.index(), high, low, error);
-    if (!has_polynomial(s.kind)) return false;
+    if (!has_polynomial(s.kind)) return high = e.t, low = 0, error = e.error, true;  // a convex body is known no better
     return fine_crossing(s, frame(s.frame), ray_, leaves(e.id()), e.index(), high, low, error);
 }
 
