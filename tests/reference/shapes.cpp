@@ -5,6 +5,8 @@
 #include <cassert>
 
 #include "csg/base/degrees.h"
+#include "csg/solid/convex_body.h"
+#include "tests/reference/convex.h"
 #include "tests/reference/flat.h"
 
 namespace whittle::reference {
@@ -80,6 +82,8 @@ public:
         }
         return f_.any(std::move(parts));
     }
+
+    ExpressionId operator()(const shape::ConvexBody& s) { return convex_formula(f_, s.hull->parts, p_); }
 
     ExpressionId operator()(const shape::Polyhedron& s) { return mesh(*s.mesh); }
 
@@ -177,6 +181,7 @@ private:
 bool has_formula(const Shape& shape) {
     if (const auto* e = std::get_if<shape::Extrusion>(&shape)) return e->twist_deg == 0 && (e->slices == 0 || e->scale_top.x == e->scale_top.y);
     if (const auto* r = std::get_if<shape::Revolution>(&shape)) return r->fragments == 0;
+    if (const auto* c = std::get_if<shape::ConvexBody>(&shape)) return has_convex_formula(c->hull->parts);
     return true;
 }
 

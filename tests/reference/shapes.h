@@ -6,7 +6,7 @@
 
 namespace whittle::reference {
 
-// True if every shape of the solid has a finite formula: no twist, no motion.
+// True if every shape of the solid has a finite formula: no twist, no motion, of convex bodies those of convex.h.
 bool has_formula(const Solid& solid);
 
 // Is the point, given in the shape's own frame, inside? Requires has_formula(solid).

@@ -1,6 +1,8 @@
 // lowered.cpp — see lowered.h.
 #include "tests/stress/lowered.h"
 
+#include "csg/solid/convex_body.h"
+#include "tests/reference/convex.h"
 #include "tracer/engine/lower.h"
 
 namespace whittle::stress {
@@ -44,7 +46,7 @@ public:
             case SupportKind::kTurnedSide:
             case SupportKind::kTurnedEllipse:
             case SupportKind::kTurnedParabola: return swept();
-            case SupportKind::kConvex: return {};  // has no form: trees with it are not asked here
+            case SupportKind::kConvex: return {};  // no single form: see Reader::body()
         }
         return {};
     }
@@ -115,7 +117,7 @@ public:
         for (const Support& s : classes.supports) {
             bool flipped = false;
             of_class.push_back(SupportForm(s, formula.table.frames[s.frame].twist.get(), frames_[s.frame])());
-            out_.support_of_class.push_back(out_.tree.formulas.support(of_class.back(), flipped));
+            out_.support_of_class.push_back(s.kind == SupportKind::kConvex ? kNoSupport : out_.tree.formulas.support(of_class.back(), flipped));
         }
         for (const ClassOfSupport& c : classes.of) forms_.push_back(c.flipped ? -of_class[c.id] : of_class[c.id]);
     }
@@ -162,8 +164,33 @@ private:
 
     ExpressionId cell(const FormulaNode& n) {
         std::vector<ExpressionId> sides;
-        for (const HalfSpaceRef& h : n.half_spaces) sides.push_back(h.inverted ? tree_.formulas.positive(forms_[h.support]) : tree_.formulas.negative(forms_[h.support]));
+        for (const HalfSpaceRef& h : n.half_spaces) {
+            const ClassId id = classes_.of[h.support].id;
+            if (classes_.supports[id].kind == SupportKind::kConvex) sides.push_back(h.inverted ? tree_.formulas.none(body(id)) : body(id));
+            else sides.push_back(h.inverted ? tree_.formulas.positive(forms_[h.support]) : tree_.formulas.negative(forms_[h.support]));
+        }
         return tree_.formulas.all(std::move(sides));
+    }
+
+    ExpressionId body(ClassId id) {
+        const auto [at, fresh] = bodies_.try_emplace(id, 0);
+        const FrameId frame = classes_.supports[id].frame;
+        if (!fresh) return at->second;
+        const ConvexHullBody& body = *formula_.table.frames[frame].body;
+        std::vector<ExpressionId> grown{reference::convex_formula(tree_.formulas, body.parts, frames_[frame])};
+        for (const FlatFace& face : body.faces) grown.push_back(beyond(body, face, frames_[frame]));
+        return at->second = tree_.formulas.any(std::move(grown));
+    }
+
+    // The plane of a flat face, as it was rounded in reading, says where the body ends: what lies over the face is in the body otherwise.
+    ExpressionId beyond(const ConvexHullBody& body, const FlatFace& face, const FormPoint& p) {
+        const std::size_t axis = std::abs(face.n.x) == 1 ? 0 : std::abs(face.n.y) == 1 ? 1 : 2;
+        const double up = face.n[static_cast<int>(axis)], deep = face.d - 0x1p-49 * (body.size + std::abs(face.d));
+        std::array<Form, 3> x{p.x, p.y, p.z};
+        const Form height = Form(up) * x[axis];
+        x[axis] = Form(up * deep) * p.w;
+        return tree_.formulas.all({tree_.formulas.positive(height - Form(deep) * p.w), tree_.formulas.negative(height - Form(face.d + 0x1p-26 * body.size) * p.w),
+                                   reference::convex_formula(tree_.formulas, body.parts, {x[0], x[1], x[2], p.w})});
     }
 
     Triple placed(FrameId frame, const Triple& p, bool is_point) const {
@@ -222,6 +249,7 @@ private:
     const Classes& classes_;
     std::vector<FormPoint> frames_;
     std::vector<Form> forms_;  // by support
+    std::map<ClassId, ExpressionId> bodies_;
     Lowered out_;
     reference::Tree& tree_ = out_.tree;
     std::vector<std::uint32_t>& uses_ = out_.use_of_leaf;
@@ -234,6 +262,8 @@ Lowered lowered(const Formula& formula, const Classes& classes) { return Reader(
 Result<Lowered> lowered(const Solid& solid, bool snap) {
     const Result<Formula> formula = lower(solid);
     if (!formula) return tl::unexpected<Error>(formula.error());
+    for (const Frame& f : formula->table.frames)
+        if (f.body && !reference::has_convex_formula(f.body->parts)) return fail(Fault::kScene, "a convex body of no known formula");
     return lowered(*formula, find_classes(*formula, snap));
 }
 

@@ -14,7 +14,7 @@ namespace whittle::stress {
 struct Lowered {
     reference::Tree tree;                        // its leaves are the formula's leaf nodes, in order of first appearance
     std::vector<std::uint32_t> use_of_leaf;      // each leaf's author's use
-    std::vector<std::uint32_t> support_of_class;  // the tree's support that a class became
+    std::vector<std::uint32_t> support_of_class;  // the tree's support that a class became; kNoSupport of a convex body, which is many
 };
 
 // Requires: nothing moves.

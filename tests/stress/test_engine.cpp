@@ -94,6 +94,8 @@ TEST_CASE("the engine agrees with the exact reference") {
         CHECK(tally.continued > tally.pairs / 20);
         CHECK(tally.uncertified == 0);
         CHECK(tally.not_compiled <= 20);
+        CHECK(tally.undecided * 2 < tally.body_rays + 100);
+        CHECK(tally.loose * 6 < tally.body_rays + 100);
     }
 }
 
@@ -117,6 +119,7 @@ TEST_CASE("the engine agrees with the exact reference for as long as asked", "[.
         const Tally& t = tallies[static_cast<std::size_t>(theme)];
         WARN(name_of(static_cast<Theme>(theme)) << ": " << t.pairs << " pairs, " << t.borders << " borders, " << t.from_inside << " from inside, " << t.continued << " continued, worst error/bound "
                                                 << t.worst_ratio << ", not compiled " << t.not_compiled);
+        if (t.body_rays > 0) WARN("  with convex bodies " << t.body_rays << ", undecided " << t.undecided << ", of which other borders " << t.loose);
     }
     for (std::size_t k = 0; k < kinds.size(); ++k) WARN(kKindNames[k] << ": " << kinds[k] << " pairs");
     CHECK(failures == 0);

@@ -207,7 +207,7 @@ NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right
 }
 
 const char* name_of(ShapeKind kind) {
-    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "faceted", "twist"};
+    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "faceted", "twist", "convex body"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -225,6 +225,7 @@ Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice) {
         case ShapeKind::kExtrusion: return extrusion(builder, dice, false);
         case ShapeKind::kFaceted: return faceted(dice);
         case ShapeKind::kTwist: return twist(builder, dice);
+        case ShapeKind::kConvex: return random_convex(dice);
         default: return revolution(builder, dice);
     }
 }

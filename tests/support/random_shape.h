@@ -42,11 +42,14 @@ struct Sketch {
 
 Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire);
 
-// kHalfSpace and kQuadric may be unbounded; kTwist is a prism's, in slices, and is not among those of random_shape().
-enum class ShapeKind : std::uint8_t { kBox, kPolyhedron, kEllipsoid, kFrustum, kTorus, kCapsule, kRoundBox, kQuadric, kHalfSpace, kExtrusion, kRevolution, kFaceted, kTwist };
-inline constexpr int kShapeKinds = 13;
+// kHalfSpace and kQuadric may be unbounded; kTwist is a prism's, in slices, and it and kConvex are not among those of random_shape().
+enum class ShapeKind : std::uint8_t { kBox, kPolyhedron, kEllipsoid, kFrustum, kTorus, kCapsule, kRoundBox, kQuadric, kHalfSpace, kExtrusion, kRevolution, kFaceted, kTwist, kConvex };
+inline constexpr int kShapeKinds = 14;
 const char* name_of(ShapeKind kind);
 Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice);
+
+// A convex body of round parts with an exact formula (tests/reference/convex.h); its flat faces are across axes.
+Sketch random_convex(Dice& dice);
 
 // A random 2D node within about [-2, 2]^2; with x >= 0 alone if `right`.
 NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right);

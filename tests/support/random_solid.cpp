@@ -49,8 +49,16 @@ private:
             case Theme::kThin: return thin();
             case Theme::kWedge: return wedge();
             case Theme::kLadder: return ladder();
+            case Theme::kConvex: return among_convex();
             default: return tree(leaf_count());
         }
+    }
+
+    // Thin things among them seldom: without an exact tier those are left undecided.
+    Known among_convex() {
+        const int kind = dice_.integer(0, 11);
+        if (kind < 7) return tree(dice_.one_in(16) ? dice_.integer(60, 120) : dice_.integer(1, 30));
+        return kind < 10 ? chain() : kind < 11 ? thin() : ladder();
     }
 
     struct Placed {
@@ -64,6 +72,10 @@ private:
     }
 
     Known leaf() {
+        if (theme_ == Theme::kConvex && dice_.one_in(2)) {
+            Sketch s = random_convex(dice_);
+            return {builder_.shape(s.shape), std::move(s.points), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, true};
+        }
         const bool planes = theme_ == Theme::kPlanes || (theme_ == Theme::kStack && dice_.one_in(2));
         const bool round = theme_ == Theme::kRound;
         Sketch s = random_shape(builder_, dice_, planes ? Repertoire::kPlanes : round ? Repertoire::kRound : Repertoire::kAll);
@@ -241,7 +253,7 @@ private:
 }  // namespace
 
 const char* name_of(Theme theme) {
-    constexpr const char* names[kThemes] = {"planes", "round", "everything", "stack", "instances", "chain", "thin", "wedge", "ladder", "far"};
+    constexpr const char* names[kThemes] = {"planes", "round", "everything", "stack", "instances", "chain", "thin", "wedge", "ladder", "far", "convex"};
     return names[static_cast<int>(theme)];
 }
 

@@ -24,9 +24,10 @@ enum class Theme : std::uint8_t {
     kThin,         // shells and films of 1e-3 ... 1e-15
     kWedge,        // faces that meet at 1e-4 ... 1e-11 rad
     kLadder,       // the same shape many times, each 0.6 of some small length further
-    kFar           // far from the origin, sizes from 1e-6 to 1e6
+    kFar,          // far from the origin, sizes from 1e-6 to 1e6
+    kConvex        // hulls and sums of round parts among all other shapes, in trees, chains, shells and ladders
 };
-inline constexpr int kThemes = 10;
+inline constexpr int kThemes = 11;
 const char* name_of(Theme theme);
 
 struct RandomSolid {

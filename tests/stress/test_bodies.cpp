@@ -1,0 +1,68 @@
+// test_bodies.cpp — convex bodies among other shapes against the exact reference: what random comparison has found, one small case each.
+#include <catch2/catch.hpp>
+
+#include "csg/solid/convex_body.h"
+#include "tests/stress/compare.h"
+#include "tests/support/use.h"
+
+using namespace whittle;
+using namespace whittle::support;
+using namespace whittle::stress;
+
+namespace {
+
+Ray ray(Vec3 origin, Vec3 direction) {
+    Ray r;
+    r.origin = origin;
+    r.direction = direction;
+    return r;
+}
+
+std::string fault(const Solid& solid, const Ray& r, bool snap = true) {
+    const Subject subject = subject_of(solid, snap);
+    if (!subject.program) return subject.failure;
+    Scratch scratch;
+    std::mt19937_64 random(1);
+    Tally tally;
+    std::string why = disagreement(subject, r, scratch, random, tally);
+    for (int i = 0; i < 20 && why.empty(); ++i) why = continuation_disagreement(subject, r, scratch, random, tally);
+    return why;
+}
+
+NodeId body(SolidBuilder& b, ConvexParts parts) { return b.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(std::move(parts))}); }
+BallImage ball(double r) { return {{r, 0, 0}, {0, r, 0}, {0, 0, r}}; }
+BallImage disc(double r) { return {{r, 0, 0}, {0, r, 0}, {0, 0, 0}}; }
+
+}  // namespace
+
+TEST_CASE("a ray in the plane of a flat face leaves the body where it ends, not where the plane does") {
+    SolidBuilder b;
+    const Placement inner{{0x1.4272cbc6c079ep-1, -0x1.8db50aeb30377p-1, 0, 0, -0x1.28a37a5a02699p-1, -0x1.e102a7d0acdf4p-2, 0x1.5509af8945a9dp-1, 0, -0x1.08e899ce5708ep-1,
+                           -0x1.ad8f1c9248d9ep-2, -0x1.7de2e8c67055cp-1, 0}};
+    const Placement outer{{-0x1.b29ce44c2bf7cp-1, -0x1.0ea867d1ab3c7p-1, 0, 0, 0x1.0ea867d1ab3c7p-1, -0x1.b29ce44c2bf7cp-1, 0, 0, 0, 0, 1, 0}};
+    const NodeId leaning = body(b, {{{1, 0, 1.75}, {disc(1.75)}}, {{-1, 1, 2.75}, {disc(1)}}});
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(leaning, inner)}), outer));
+    CHECK(fault(solid, ray({0x1.0b0df46eb3d9dp+0, -0x1.8ee6e6a3f50c3p+1, -0x1.d12783b2e20fdp+0}, {0x1.d0bba33408d8p-1, -0x1.857d8260dbc8p-7, -0x1.ad8f1c9248d9ep-2}), false) == "");
+}
+
+TEST_CASE("a plane that was rounded with its placement is where the body ends") {
+    SolidBuilder b;
+    const NodeId upright = body(b, {{{0, 0, -1.25}, {disc(0.625)}}, {{0, 0, -0x1.668p-2}, {disc(0.625)}}, {{-0x1.cccp-1, -1.75, -1.25}, {disc(0.625)}}, {{-0x1.cccp-1, -1.75, -0x1.668p-2}, {disc(0.625)}}});
+    const Placement nearly{{1.0000003, 0, 0, 0, 0, 1.0000003, 0, -2.7e-07, 0, 0, 1.0000003, -2.7e-07}};
+    CHECK(fault(b.finish(use(upright, nearly)), ray({0x0p+0, 0x1.5be4711d12792p-22, -0x1.667fe1cc74736p-2}, {0x0p+0, -0x1.cfdb417c18a19p-23, -0x1.4225d086p-22})) == "");
+}
+
+TEST_CASE("a body and a plane almost along the ray are told apart though double knows little of the plane's t") {
+    const Ray r = ray({-0x1.7fffffffffffbp+0, 0x1.8000000000008p+0, -0x1.fffffffffffdap-3}, {-0x1p-50, -0x1.cp-50, 0x1.ffffffffffffp-2});
+    for (int k = 0; k < 3; ++k) {
+        SolidBuilder b;
+        const NodeId profile = b.combine(SetOp::kUnion, {use(b.shape(shape::Rectangle{{0, 0}, {0.5, 0.5}}), moved(0, -0.5, 0))});
+        const NodeId part = b.shape(shape::Revolution{profile, -45, 200, 0});
+        const NodeId cut = body(b, {{{-0x1.35p-4, -1.5, 0.900390625}, {ball(0x1.35p-5)}}, {{-0.5, 1.5, -0x1.35p-4}, {ball(0.75)}}, {{-0x1.cdp-1, 0, -1.5}, {ball(0.75)}}});
+        const Placement nearly{{1, 0, 0, 9e-16, 0, 1, 0, 0x1.d324256c3815p-50, 0, 0, 1, 9e-16}};
+        std::vector<Use> uses{use(part, nearly), use(cut)};
+        if (k > 0) uses.erase(uses.begin() + (k - 1));
+        const Solid so = b.finish(use(b.combine(SetOp::kDifference, uses), moved(-1.5, 1.5, 0)));
+        CHECK(fault(so, r, false) == "");
+    }
+}
