@@ -86,6 +86,8 @@ void describe_for_packets(Program& program) {
     program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
     program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });
     label_classes(program);
+    program.some_doubtful = std::any_of(program.leaves.begin(), program.leaves.end(), [](const Leaf& leaf) { return !leaf.exact; }) ||
+                            std::any_of(program.classes.begin(), program.classes.end(), [](const Support& s) { return !has_polynomial(s.kind); });
     for (const Ref ref : program.refs) program.balls.push_back(ball_of(program, ref));
     // Children stand before their groups.
     for (Group& g : program.groups) {

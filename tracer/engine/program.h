@@ -128,6 +128,7 @@ public:
     std::vector<ClassLabel> class_labels;  // by class
     bool some_depend = false;              // some class's label is kDepends
     bool some_uncertified = false;         // some leaf is not exact
+    bool some_doubtful = false;            // or some class has no polynomial
     bool mostly_turned = false;            // more than half of the leaves have turned sides, which packets do not know: rays do better alone
     bool bodies_show = false;              // no cutter names its surface, and matter is by the author's order: the first body at a border shows there
     std::vector<Group> groups;

@@ -19,6 +19,7 @@ Event origin(bool before) { return {0, 0, kNoClass, 0, before}; }
 // Only uses below the fewest subtractions count: what a cutter merely touches has a face of its own there. Bodies: the first. Cutters: the first of the
 // outermost difference that names its surface; where none does, the use whose matter is left (docs/numerics.md, labels).
 std::uint32_t shown_use(const Program& program, Walker& walker, const std::vector<Walker::Cause>& causes, const Event& at, bool entering) {
+    if (causes.size() == 1 && program.leaves[causes[0].leaf].fills) return program.leaves[causes[0].leaf].use;
     constexpr std::uint32_t kNone = Walker::kNoLeafUse;
     std::uint32_t first = kNone, named = kNone;
     for (const Walker::Cause& c : causes) {
@@ -51,7 +52,8 @@ void make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event
     impl.causes.clear();
     e = Event::beside(e, false);
     Walker::Cause sole;
-    if (impl.walker.sole_cause(e, sole)) {
+    const ItemBall* ball = nullptr;
+    if (impl.walker.sole_cause(e, sole, ball)) {
         impl.causes.push_back(sole);
     } else {
         impl.walker.causes(program.root, e, impl.causes);
@@ -64,8 +66,13 @@ void make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event
     end.certified = impl.walker.are_certain(impl.causes);
     if (!end.certified) ++impl.walker.context().counters().uncertified;
     end.use = shown_use(program, impl.walker, impl.causes, e, entering);
-    const Support& support = program.classes[end.surface];
-    end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point_at(ray, e.t));
+    const Vec3 point = point_at(ray, e.t);
+    if (ball) {
+        end.normal = unit_vector(point - Vec3(ball->x, ball->y, ball->z));  // its support's, which is far away in memory
+    } else {
+        const Support& support = program.classes[end.surface];
+        end.normal = unit_gradient(support, impl.walker.context().frame(support.frame), point);
+    }
     const double along = glm::dot(end.normal, ray.direction);
     if ((along > 0) == entering) end.normal = -end.normal;
 }

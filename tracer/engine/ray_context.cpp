@@ -9,14 +9,12 @@
 namespace whittle {
 
 void RayContext::start(const Program& program, const Ray& ray, EngineCounters& counters) {
-    // By size, not by address: another program may stand where one stood. Stamps of an older ray are no harm.
-    if (frame_stamps_.size() != program.frames.size() || moved_.empty() != (program.motions.size() == 1)) {
-        frame_stamps_.assign(program.frames.size(), 0);
+    // Grown and never cleared: another program asked in between is no harm, nor are stamps of an older ray.
+    if (frame_stamps_.size() < program.frames.size()) {
+        frame_stamps_.resize(program.frames.size());
         frame_rays_.resize(program.frames.size());
-        moved_.resize(program.motions.size() > 1 ? program.frames.size() : 0);
-        turned_.clear();
-        stamp_ = 0;
     }
+    if (program.motions.size() > 1 && moved_.size() < program.frames.size()) moved_.resize(program.frames.size());
     program_ = &program;
     if (++stamp_ == 0) {
         std::fill(frame_stamps_.begin(), frame_stamps_.end(), 0);
@@ -68,11 +66,9 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
         } else {
             // Rays of one sample share its time: the inverse of the same placement is kept.
             const Placement now = whole_motion(program_->motions, f.motion, ray_.time) * f.placement;
-            if (!same_bits(moved_[id].placement, now)) {
-                moved_[id] = make_frame(now);
-                moved_[id].twist = f.twist;
-                moved_[id].body = f.body;
-            }
+            if (!same_bits(moved_[id].placement, now)) moved_[id] = make_frame(now);
+            if (moved_[id].twist != f.twist) moved_[id].twist = f.twist;
+            if (moved_[id].body != f.body) moved_[id].body = f.body;
             frame_rays_[id] = ray_in_frame(moved_[id], ray_);
         }
     }

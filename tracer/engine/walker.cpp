@@ -16,10 +16,7 @@ void Walker::start(const Program& program, const Ray& ray, EngineCounters& count
     top_ = 0;
     met_.clear();
     met_balls_.clear();
-    if (slots_.size() != program.leaves.size()) {
-        slots_.assign(program.leaves.size(), Slot());
-        stamp_ = 0;
-    }
+    if (slots_.size() < program.leaves.size()) slots_.resize(program.leaves.size());
     if (++stamp_ == 0) {
         std::fill(slots_.begin(), slots_.end(), Slot());
         stamp_ = 1;
@@ -82,6 +79,7 @@ void fetch(const WideNode& node) {
 
 // Puts the node's children that the ray meets in `range` on the stack, the nearest on top.
 void Walker::open(const WideNode& node, const Range& range) {
+    const Program& program = context_.program();
     if (waiting_.size() < top_ + kWideBoxes) waiting_.resize(2 * (top_ + kWideBoxes));
     std::array<double, kWideBoxes> from;
     const BoxesAhead ahead = boxes_ahead_(node, context_.slab(), range.begin, range.end, from);
@@ -90,7 +88,8 @@ void Walker::open(const WideNode& node, const Range& range) {
     std::size_t count = 0;
     for (std::uint32_t left = ahead.met; left != 0; left &= left - 1) {
         const auto k = static_cast<std::size_t>(__builtin_ctz(left));
-        if (!node.child[k].is_item()) fetch(context_.program().wide[node.child[k].index()]);
+        if (!node.child[k].is_item()) fetch(program.wide[node.child[k].index()]);
+        else if (!program.balls.empty()) __builtin_prefetch(&program.balls[node.child[k].index()]);
         std::size_t at = count++;
         for (; at > 0 && met[at - 1].from < from[k]; --at) met[at] = met[at - 1];
         met[at] = {node.child[k], from[k]};
@@ -141,9 +140,7 @@ Found Walker::next_in_item(std::uint32_t ref, const Event& cursor, bool want, Ev
     ++context_.counters().primitive_tests;
     if (c.count == 0) return Found::kNever;
     const Event in{c.t[0], c.error[0], ball.id}, behind{c.t[1], c.error[1], ball.id, 1};
-    const std::uint32_t leaf = context_.program().refs[ref].index();
-    met_balls_.push_back({leaf, in});
-    met_balls_.push_back({leaf, behind});
+    met_balls_.push_back({ref, in, behind});
     if (!passed(in, cursor)) {
         out = in;
         return Found::kLater;
@@ -343,27 +340,41 @@ void Walker::causes(Ref ref, const Event& at, std::vector<Cause>& out) {
 void Walker::causes_among_met(const Event& at, std::vector<Cause>& out) {
     const std::size_t slotted = met_.size();
     for (std::size_t i = 0; i < slotted; ++i) causes(Ref::leaf(met_[i]), at, out);
-    for (const Cause& c : met_balls_)
-        if (slots_[c.leaf].stamp != stamp_ && context_.compare(c.event, at) == 0) out.push_back(c);
+    for (const MetBall& ball : met_balls_) {
+        const std::uint32_t leaf = context_.program().refs[ball.ref].index();
+        if (slots_[leaf].stamp == stamp_) continue;
+        for (const Event& e : {ball.in, ball.out})
+            if (context_.compare(e, at) == 0) out.push_back({leaf, e});
+    }
 }
 
 // In a flat program every leaf that changes where the event was found has been met: a union asks all that may come before its nearest part, an
 // intersection all whose boxes hold the place where it ends.
-bool Walker::sole_cause(const Event& at, Cause& cause) {
+bool Walker::sole_cause(const Event& at, Cause& cause, const ItemBall*& ball) {
     if (!context_.program().flat) return false;
     std::uint32_t leaves = 0;
-    const auto look_at = [&](const Cause& c) {
-        const double d = c.event.t - at.t, room = c.event.error + at.error;
-        if (d > room || d < -room || context_.compare(c.event, at) != 0) return;
-        ++leaves;
-        cause = c;
+    const auto is_at = [&](const Event& e) {
+        const double d = e.t - at.t, room = e.error + at.error;
+        return d <= room && d >= -room && context_.compare(e, at) == 0;
     };
     for (const std::uint32_t leaf : met_) {
         const Changes& c = slots_[leaf].changes;
-        for (std::uint32_t i = 0; i < c.count; ++i) look_at({leaf, events_[c.first + i]});
+        for (std::uint32_t i = 0; i < c.count; ++i) {
+            if (!is_at(events_[c.first + i])) continue;
+            cause = {leaf, events_[c.first + i]};
+            ball = nullptr;
+            ++leaves;
+        }
     }
-    for (const Cause& c : met_balls_)
-        if (slots_[c.leaf].stamp != stamp_) look_at(c);
+    for (const MetBall& met : met_balls_)
+        for (const Event& e : {met.in, met.out}) {
+            if (!is_at(e)) continue;
+            const std::uint32_t leaf = context_.program().refs[met.ref].index();
+            if (!met_.empty() && slots_[leaf].stamp == stamp_) continue;
+            cause = {leaf, e};
+            ball = context_.program().ball(met.ref);
+            ++leaves;
+        }
     return leaves == 1;
 }
 
@@ -398,6 +409,7 @@ void Walker::matter_changes(Ref ref, std::vector<MatterChange>& out) {
 
 bool Walker::are_certain(const std::vector<Cause>& causes) const {
     const Program& program = context_.program();
+    if (!program.some_doubtful) return true;
     const auto may_be_unsettled = [&](ClassId id) { return !has_polynomial(program.classes[id].kind); };
     for (const Cause& c : causes) {
         const Leaf& leaf = program.leaves[c.leaf];

@@ -48,8 +48,9 @@ public:
     // Do causes of one border come from true surfaces, and lie where it is said? Not those that meet a turned side in one place: that is as far as
     // double-double sees.
     bool are_certain(const std::vector<Cause>& causes) const;
-    // The one leaf that changes at an event that was found on this ray. False: another one does too, or the program is not flat.
-    bool sole_cause(const Event& at, Cause& cause);
+    // The one leaf that changes at an event that was found on this ray, and its ball if it was met as one. False: another leaf does too, or the program is
+    // not flat.
+    bool sole_cause(const Event& at, Cause& cause, const ItemBall*& ball);
     // Whose matter fills the place: of the uses that hold it and are not subtracted the first by Program::matter_order; kNoLeafUse if there is none.
     std::uint32_t matter_at(Ref ref, const Event& cursor);
     // Changes along the ray of all leaves, leaf by leaf: matter changes at no other place. A cutter may end the one and leave another.
@@ -116,7 +117,11 @@ private:
     std::uint32_t stamp_ = 0;
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> met_;  // leaves whose changes stand in their slots
-    std::vector<Cause> met_balls_;    // changes of items that are balls
+    struct MetBall {
+        std::uint32_t ref;
+        Event in, out;
+    };
+    std::vector<MetBall> met_balls_;  // items that were met as balls
     std::vector<Event> events_;
     std::vector<Changes> lists_;
     struct Tagged {
