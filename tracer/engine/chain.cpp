@@ -53,7 +53,8 @@ Chain::Matrix Chain::product(const Matrix& a, const Matrix& b) {
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 4; ++j) {
             Wide s = j == 3 ? a[4 * i + 3] : Wide(0);
-            for (std::size_t k = 0; k < 3; ++k) s += a[4 * i + k] * b[4 * k + j];
+            for (std::size_t k = 0; k < 3; ++k)
+                if (a[4 * i + k] != 0 && b[4 * k + j] != 0) s += a[4 * i + k] * b[4 * k + j];
             r[4 * i + j] = s;
         }
     return r;
@@ -86,8 +87,9 @@ Chain Chain::then(const Placement& p) const {
     } else {
         Matrix wide{};
         for (std::size_t i = 0; i < 12; ++i) wide[i] = p.m[i];
-        r.outer_ = product(product(outer_, as_matrix(inner_)), wide);
+        r.outer_ = links_ == 0 ? wide : product(whole_matrix(), wide);
         r.inner_ = AxisMap{};
+        r.turned_ = true;
     }
     double shift = 0, stretch = 0;
     for (int i = 0; i < 3; ++i) {

@@ -35,23 +35,25 @@ public:
     const AxisMap& inner() const { return inner_; }
     // The frame to put shapes in whose numbers absorb inner(); and the one for shapes that absorb nothing.
     Placement outer() const { return rounded(outer_); }
-    Placement whole() const { return rounded(product(outer_, as_matrix(inner_))); }
+    Placement whole() const { return rounded(whole_matrix()); }
     // Sum of the magnitudes that rounding acted on, for a point of the given size: times the unit roundoff, a bound of the displacement.
     double rounding_for(double size) const { return (links_ + 2) * 0x1p-53 * (reach_ + stretch_ * size); }
 
     // How far at most rounding outer(), or whole(), moves a point of the given size.
-    double displacement_of_outer(double size) const { return displacement(outer_, size); }
-    double displacement_of_whole(double size) const { return displacement(product(outer_, as_matrix(inner_)), size); }
+    double displacement_of_outer(double size) const { return turned_ ? displacement(outer_, size) : 0; }
+    double displacement_of_whole(double size) const { return displacement(whole_matrix(), size); }
 
 private:
     using Matrix = std::array<Wide, 12>;
     static Matrix as_matrix(const AxisMap& m);
     static Matrix product(const Matrix& a, const Matrix& b);
+    Matrix whole_matrix() const { return turned_ ? product(outer_, as_matrix(inner_)) : as_matrix(inner_); }
     static Placement rounded(const Matrix& m);
     static double displacement(const Matrix& m, double size);
 
     Matrix outer_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     AxisMap inner_;
+    bool turned_ = false;  // outer_ is more than the identity
     double reach_ = 0, stretch_ = 1;
     int links_ = 0;
 };

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "csg/base/vec.h"
@@ -53,8 +52,7 @@ public:
     std::vector<Occurrence> occurrences;
 
 private:
-    std::unordered_multimap<std::uint64_t, FrameId> frames_by_hash_;
-    std::unordered_multimap<std::uint64_t, SupportId> supports_by_hash_;
+    IdTable frames_by_hash_, supports_by_hash_;
 };
 
 // A polygon swept along the axis of its frame without end: inside by parity of the crossings of its edges.

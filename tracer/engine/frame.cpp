@@ -1,6 +1,7 @@
 // frame.cpp — the rounded inverse of a placement, each entry to a unit of roundoff however ill-conditioned it is.
 #include <cmath>
 
+#include "csg/solid/directed.h"
 #include "tracer/engine/bounded.h"
 #include "tracer/engine/dyadic.h"
 #include "tracer/engine/support.h"
@@ -9,33 +10,64 @@ namespace whittle {
 
 namespace {
 
-Bounded value_of(const Bounded& x) { return x; }
 // To more than 2^-90 of itself.
 Bounded value_of(const exact::Dyadic& x) {
     const double high = x.approximate();
     if (!std::isfinite(high)) return high;
     return Bounded(high) + Bounded((x - exact::Dyadic(high)).approximate());
 }
-bool precise(const Bounded& x) { return x.is_zero() || x.error() < 0x1p-68 * std::abs(x.high()); }
-bool precise(const exact::Dyadic&) { return true; }
-int sign_of(const Bounded& x) { return x.sign(); }
-int sign_of(const exact::Dyadic& x) { return x.sign(); }
 
-template <class N>
-bool invert(Frame& f) {
+void invert_exactly(Frame& f) {
     f.determinant_sign = 1;
-    const std::array<N, 3> origin{N(0.0), N(0.0), N(0.0)};
+    const exact::Dyadic zero(0.0);
     for (int j = 0; j < 3; ++j) {
         Vec3 axis{0};
         axis[j] = 1;
-        const FrameLine<N> line = line_in_frame<N>(f, origin, axis);
-        if (!precise(line.w)) return false;
-        for (int i = 0; i < 3; ++i) {
-            if (!precise(line.d[static_cast<std::size_t>(i)])) return false;
-            f.inverse[static_cast<std::size_t>(3 * i + j)] = (value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w)).high();
-        }
-        if (j == 2) f.determinant_sign = sign_of(line.w) < 0 ? -1 : 1;
+        const FrameLine<exact::Dyadic> line = line_in_frame<exact::Dyadic>(f, {zero, zero, zero}, axis);
+        for (int i = 0; i < 3; ++i) f.inverse[static_cast<std::size_t>(3 * i + j)] = (value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w)).high();
+        if (j == 2) f.determinant_sign = line.w.sign() < 0 ? -1 : 1;
     }
+}
+
+// a b - c d to more than 2^-100 of itself, however much of it cancels. False: a product is so small that its error may be lost.
+bool difference_of_products(double a, double b, double c, double d, Bounded& out) {
+    const double p = a * b, q = -(c * d);
+    for (const double product : {p, q})
+        if (!(std::abs(product) < 0x1p960) || (product != 0 && std::abs(product) < kProductErrorExact)) return false;
+    if ((p == 0 && a != 0 && b != 0) || (q == 0 && c != 0 && d != 0)) return false;
+    // An expansion that grows by the four numbers (Shewchuk, Adaptive precision floating-point arithmetic, 1997, section 2.3).
+    std::array<double, 4> sum{};
+    std::size_t count = 0;
+    for (double x : {std::fma(a, b, -p), std::fma(-c, d, -q), p, q}) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double s = sum[k] + x;
+            sum[k] = sum_error(sum[k], x, s);
+            x = s;
+        }
+        sum[count++] = x;
+    }
+    double high = 0, low = 0;
+    for (std::size_t k = 4; k-- > 0;) {
+        const double s = high + sum[k];
+        low += sum_error(high, sum[k], s);
+        high = s;
+    }
+    out = Bounded(high) + Bounded(low);
+    return true;
+}
+
+// The same in double-double. False: it may not be precise to 2^-64.
+bool invert_quickly(Frame& f) {
+    std::array<std::array<Bounded, 3>, 3> minors;
+    const auto at = [&](std::size_t r, std::size_t c) { return f.placement.m[4 * (r % 3) + c % 3]; };
+    for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (!difference_of_products(at(r + 1, c + 1), at(r + 2, c + 2), at(r + 1, c + 2), at(r + 2, c + 1), minors[r][c])) return false;
+    const Bounded determinant = Bounded(at(0, 0)) * minors[0][0] + Bounded(at(0, 1)) * minors[0][1] + Bounded(at(0, 2)) * minors[0][2];
+    if (!(determinant.error() < 0x1p-68 * std::abs(determinant.high()))) return false;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) f.inverse[3 * i + j] = (minors[j][i] / determinant).high();
+    f.determinant_sign = determinant.high() < 0 ? -1 : 1;
     return true;
 }
 
@@ -64,7 +96,7 @@ Frame make_frame(const Placement& placement) {
     f.placement = placement;
     f.identity = placement.is_identity();
     if (f.identity) return f;
-    if (!invert<Bounded>(f)) invert<exact::Dyadic>(f);
+    if (!invert_quickly(f)) invert_exactly(f);
     count_roundings(f);
     return f;
 }

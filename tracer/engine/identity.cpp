@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "tracer/engine/convex.h"
 #include "tracer/engine/mutation.h"
+#include "tracer/engine/ordered_set.h"
 #include "tracer/engine/turned.h"
 #include "tracer/engine/world_surface.h"
 
@@ -32,53 +34,67 @@ double finite_extent(const Bounds& a) {
 
 class Finder {
 public:
-    Finder(const SupportTable& table, bool snap) : table_(table), snap_(snap) {
-        if (snap) spread_ = most_keys_differ();
+    Finder(const SupportTable& table, bool snap) : table_(table), snap_(snap), founders_(table.supports.size() + 1) {
+        if (!snap) return;
+        spread_ = most_keys_differ();
+        sort_keys();
     }
 
     Classes run() {
-        for (SupportId id = 0; id < table_.supports.size(); ++id) place(id);
+        for (SupportId id = 0; id < table_.supports.size(); ++id) has_polynomial(table_.supports[id].kind) ? place(id) : place_turned(id);
         return std::move(out_);
     }
 
 private:
-    struct Member {
-        ClassId id;
-        SupportId first;
-        WorldSurface world;
-    };
+    // Of supports with a polynomial, ascending.
+    void sort_keys() {
+        for (SupportId id = 0; id < table_.supports.size(); ++id)
+            if (has_polynomial(table_.supports[id].kind)) by_key_.push_back({key_of(surface(id)), id});
+        std::sort(by_key_.begin(), by_key_.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.id < b.id); });
+        rank_.resize(table_.supports.size());
+        for (std::size_t k = 0; k < by_key_.size(); ++k) rank_[by_key_[k].id] = static_cast<std::uint32_t>(k);
+    }
 
+    WorldSurface surface(SupportId id) const { return world_surface(table_.supports[id], table_.frames[table_.supports[id].frame]); }
+
+    // The class is that of the first support that agrees, or a new one, whose founder this is.
     void place(SupportId id) {
-        const Support& s = table_.supports[id];
-        const Frame& frame = table_.frames[s.frame];
-        if (!has_polynomial(s.kind)) {
-            place_turned(id);
-            return;
+        const auto fresh = static_cast<ClassId>(out_.supports.size());
+        ClassOfSupport best{fresh, false};
+        if (snap_) {
+            const std::size_t rank = rank_[id];
+            const double key = by_key_[rank].key, window = kKeyRounding * (1 + std::abs(key)) + spread_;
+            const bool apart = rank == 0 || by_key_[rank - 1].key < key - window;
+            look_among(id, apart ? rank : first_at_least(key - window), key + window, best);
+            if (is_plane(table_.supports[id].kind)) look_among(id, first_at_least(-key - window), -key + window, best);
         }
-        const WorldSurface w = world_surface(s, frame);
-        const double key = key_of(w);
-        const double window = kKeyRounding * (1 + std::abs(key)) + spread_;
-        ClassOfSupport best{static_cast<ClassId>(out_.supports.size()), false};
-        if (snap_)
-            for (const double sign : {1.0, -1.0}) {
-                if (sign < 0 && w.form != WorldSurface::Form::kPlane) break;
-                const auto to = members_.upper_bound(sign * key + window);
-                for (auto it = members_.lower_bound(sign * key - window); it != to; ++it) {
-                    bool flipped = false;
-                    double distance = 0;
-                    if (it->second.id < best.id && agree(it->second, id, w, flipped, distance)) {
-                        best = {it->second.id, flipped};
-                        out_.largest = std::max(out_.largest, distance);
-                    }
-                }
-            }
-        if (best.id == out_.supports.size()) {
-            out_.supports.push_back(s);
-            if (snap_) members_.emplace(key, Member{best.id, id, w});
+        if (best.id == fresh) {
+            out_.supports.push_back(table_.supports[id]);
+            if (snap_) founders_.insert(rank_[id]);
         } else {
             ++out_.fused;
         }
         out_.of.push_back(best);
+    }
+
+    std::size_t first_at_least(double key) const {
+        return static_cast<std::size_t>(std::lower_bound(by_key_.begin(), by_key_.end(), key, [](const Keyed& a, double least) { return a.key < least; }) - by_key_.begin());
+    }
+
+    // Among founders from this rank on whose keys are at most `most`.
+    void look_among(SupportId id, std::size_t first, double most, ClassOfSupport& best) {
+        std::optional<WorldSurface> own;
+        for (std::size_t k = founders_.next(first); k < by_key_.size() && by_key_[k].key <= most; k = founders_.next(k + 1)) {
+            const SupportId founder = by_key_[k].id;
+            const ClassId c = out_.of[founder].id;
+            bool flipped = false;
+            double distance = 0;
+            if (c >= best.id || !may_agree(founder, id)) continue;
+            if (!own) own = surface(id);
+            if (!agree(founder, id, *own, flipped, distance)) continue;
+            best = {c, flipped};
+            out_.largest = std::max(out_.largest, distance);
+        }
     }
 
     // Turned sides and convex bodies.
@@ -156,20 +172,34 @@ private:
         return static_cast<double>(sign * key / most);
     }
 
-    bool agree(const Member& member, SupportId id, const WorldSurface& w, bool& flipped, double& distance) const {
-        const Support &s = table_.supports[id], &t = table_.supports[member.first];
-        if (w.form != member.world.form || table_.frames[s.frame].motion != table_.frames[t.frame].motion) return false;
-        const Occurrence &a = table_.occurrences[id], &b = table_.occurrences[member.first];
+    // Where both can be, and within which distance there they are one.
+    double tolerance_of(SupportId first, SupportId id) const {
+        const Occurrence &a = table_.occurrences[id], &b = table_.occurrences[first];
         const double extent = std::max({finite_part(a.extent), finite_part(b.extent), finite_extent(a.box), finite_extent(b.box)});
         const double larger = std::max(finite_part(a.extent), finite_part(b.extent));
-        const double tolerance = kSnapTolerance * (larger > 0 ? larger : extent) + a.rounding + b.rounding;
-        if (!touching(a.box, b.box, tolerance)) return false;
-        if (w.form == WorldSurface::Form::kPlane) return planes_agree(w, member.world, a.box, b.box, tolerance, flipped, distance);
+        return kSnapTolerance * (larger > 0 ? larger : extent) + a.rounding + b.rounding;
+    }
+
+    bool may_agree(SupportId first, SupportId id) const {
+        const Support &s = table_.supports[id], &t = table_.supports[first];
+        if (form_of(s.kind) != form_of(t.kind) || table_.frames[s.frame].motion != table_.frames[t.frame].motion) return false;
+        return touching(table_.occurrences[id].box, table_.occurrences[first].box, tolerance_of(first, id));
+    }
+
+    static WorldSurface::Form form_of(SupportKind kind) {
+        return is_plane(kind) ? WorldSurface::Form::kPlane : kind == SupportKind::kTorus ? WorldSurface::Form::kTorus : WorldSurface::Form::kQuadric;
+    }
+
+    bool agree(SupportId first, SupportId id, const WorldSurface& w, bool& flipped, double& distance) const {
+        const Support &s = table_.supports[id], &t = table_.supports[first];
+        const Bounds &a = table_.occurrences[id].box, &b = table_.occurrences[first].box;
+        const double tolerance = tolerance_of(first, id);
+        if (w.form == WorldSurface::Form::kPlane) return planes_agree(w, surface(first), a, b, tolerance, flipped, distance);
         if (w.form == WorldSurface::Form::kTorus) {
             distance = static_cast<double>(torus_distance(s, table_.frames[s.frame], t, table_.frames[t.frame]));
             return distance <= tolerance;
         }
-        return quadrics_agree(w, member.world, a.box, b.box, tolerance, flipped, distance);
+        return quadrics_agree(w, surface(first), a, b, tolerance, flipped, distance);
     }
 
     // Over the hull of both boxes; where that is not bounded, over what is.
@@ -227,7 +257,13 @@ private:
     bool snap_;
     double spread_ = 0;
     Classes out_;
-    std::multimap<double, Member> members_;
+    struct Keyed {
+        double key;
+        SupportId id;
+    };
+    std::vector<Keyed> by_key_;
+    std::vector<std::uint32_t> rank_;  // by support: its place in by_key_
+    OrderedSet founders_;              // of classes, by rank
     std::multimap<double, std::pair<ClassId, SupportId>> turned_;  // by the places of their middles
 };
 

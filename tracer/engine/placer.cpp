@@ -57,15 +57,14 @@ SupportTable::SupportTable() { frame(Placement{}, 0); }
 FrameId SupportTable::frame(const Placement& placement, MotionId motion, const Twist* twist) {
     const std::uint64_t h = hash_of(placement.m, twist ? mix(motion, std::hash<double>()(twist->from)) : motion);
     const auto is_turned_so = [&](const Frame& f) { return twist ? f.twist && *f.twist == *twist : !f.twist; };
-    const auto [from, to] = frames_by_hash_.equal_range(h);
-    for (auto it = from; it != to; ++it)
-        if (frames[it->second].placement == placement && frames[it->second].motion == motion && is_turned_so(frames[it->second])) return it->second;
+    const FrameId known = frames_by_hash_.find(h, [&](FrameId k) { return frames[k].placement == placement && frames[k].motion == motion && is_turned_so(frames[k]); });
+    if (known != IdTable::kNone) return known;
     const auto id = static_cast<FrameId>(frames.size());
     frames.push_back(make_frame(placement));
     frames.back().motion = motion;
     if (twist) frames.back().twist = std::make_shared<const Twist>(*twist);
     if (motion != 0) frames.back().identity = false;
-    frames_by_hash_.emplace(h, id);
+    frames_by_hash_.insert(h, id);
     return id;
 }
 
@@ -78,20 +77,19 @@ FrameId SupportTable::frame_of(FrameId like, std::shared_ptr<const ConvexHullBod
 SupportId SupportTable::add(const Support& support, const Bounds& box, double rounding, double rounding_per_size) {
     const double extent = box.empty() ? 0 : std::max({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
     const std::uint64_t h = hash_of(support.p, static_cast<std::uint64_t>(support.kind) * 8 + support.axis + (std::uint64_t{support.frame} << 8));
-    const auto [from, to] = supports_by_hash_.equal_range(h);
-    for (auto it = from; it != to; ++it)
-        if (supports[it->second] == support && !mutated(Mutation::kOwnIdentity)) {
-            Occurrence& o = occurrences[it->second];
-            include(o.box, box);
-            o.extent = std::max(o.extent, extent);
-            o.rounding = std::max(o.rounding, rounding);
-            o.rounding_per_size = std::max(o.rounding_per_size, rounding_per_size);
-            return it->second;
-        }
+    const SupportId known = supports_by_hash_.find(h, [&](SupportId k) { return supports[k] == support && !mutated(Mutation::kOwnIdentity); });
+    if (known != IdTable::kNone) {
+        Occurrence& o = occurrences[known];
+        include(o.box, box);
+        o.extent = std::max(o.extent, extent);
+        o.rounding = std::max(o.rounding, rounding);
+        o.rounding_per_size = std::max(o.rounding_per_size, rounding_per_size);
+        return known;
+    }
     const auto id = static_cast<SupportId>(supports.size());
     supports.push_back(support);
     occurrences.push_back({box, extent, rounding, rounding_per_size});
-    supports_by_hash_.emplace(h, id);
+    supports_by_hash_.insert(h, id);
     return id;
 }
 
@@ -163,11 +161,12 @@ double Placer::most_shrunk() const {
 
 double Placer::rounded(Wide x) {
     const double r = to_double(x) + 0.0;
+    if (x == r) return r;
     formula_.largest_displacement = std::max(formula_.largest_displacement, to_double(magnitude(x - r)));
     return r;
 }
 
-double Placer::coordinate(std::size_t i, double local) { return rounded(map_.scale[i] * local + map_.shift[i]); }
+double Placer::coordinate(std::size_t i, double local) { return rounded(local == 0 ? map_.shift[i] : map_.scale[i] * local + map_.shift[i]); }
 
 int Placer::axis_of(int axis) const {
     for (int i = 0; i < 3; ++i)
