@@ -66,3 +66,11 @@ TEST_CASE("a body and a plane almost along the ray are told apart though double 
         CHECK(fault(so, r, false) == "");
     }
 }
+
+TEST_CASE("the bound of a border holds where three corners of the search stand on one ridge") {
+    SolidBuilder b;
+    const NodeId grown = body(b, {{{1, 0, -0x1.e66p+0}, {ball(0.875)}}, {{0, 0, 0}, {ball(0.875)}}, {{0, 0, -0x1.e66p+0}, {ball(0.875)}}, {{0, 0, 0x1.e66p+0}, {ball(0.875)}}});
+    const Placement turned{{1, 0, 0, 0, 0, -0x1.d8c83efaa2da8p-6, 0x1.ffc96ae6e2b96p-1, 0, 0, -0x1.ffc96ae6e2b96p-1, -0x1.d8c83efaa2da8p-6, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(grown, moved(0, 1.75, 0))}), turned));
+    CHECK(fault(solid, ray({-0x1.40af58b1de2a6p+1, -0x1.2afd39eb6b5c2p-1, -0x1.541e3469ab715p+1}, {0x1.eff8aca258a52p+1, -0x1.c152fbe745e79p+0, 0x1.164aae0db5ab8p-2})) == "");
+}

@@ -17,6 +17,12 @@ Bounded value_of(const exact::Dyadic& x) {
     return Bounded(high) + Bounded((x - exact::Dyadic(high)).approximate());
 }
 
+// The entry rounded, and what that lacks; the quotient's numbers may be off by 2^-90.
+void keep_entry(Frame& f, std::size_t k, const Bounded& quotient) {
+    f.inverse[k] = quotient.high();
+    f.direction_room[k] = std::abs(quotient.low()) + quotient.error() + 0x1p-80 * std::abs(quotient.high());
+}
+
 void invert_exactly(Frame& f) {
     f.determinant_sign = 1;
     const exact::Dyadic zero(0.0);
@@ -24,7 +30,7 @@ void invert_exactly(Frame& f) {
         Vec3 axis{0};
         axis[j] = 1;
         const FrameLine<exact::Dyadic> line = line_in_frame<exact::Dyadic>(f, {zero, zero, zero}, axis);
-        for (int i = 0; i < 3; ++i) f.inverse[static_cast<std::size_t>(3 * i + j)] = (value_of(line.d[static_cast<std::size_t>(i)]) / value_of(line.w)).high();
+        for (std::size_t i = 0; i < 3; ++i) keep_entry(f, 3 * i + static_cast<std::size_t>(j), value_of(line.d[i]) / value_of(line.w));
         if (j == 2) f.determinant_sign = line.w.sign() < 0 ? -1 : 1;
     }
 }
@@ -66,7 +72,7 @@ bool invert_quickly(Frame& f) {
     const Bounded determinant = Bounded(at(0, 0)) * minors[0][0] + Bounded(at(0, 1)) * minors[0][1] + Bounded(at(0, 2)) * minors[0][2];
     if (!(determinant.error() < 0x1p-68 * std::abs(determinant.high()))) return false;
     for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) f.inverse[3 * i + j] = (minors[j][i] / determinant).high();
+        for (std::size_t j = 0; j < 3; ++j) keep_entry(f, 3 * i + j, minors[j][i] / determinant);
     f.determinant_sign = determinant.high() < 0 ? -1 : 1;
     return true;
 }
@@ -76,17 +82,31 @@ bool is_power_of_two(double x) {
     return std::abs(std::frexp(x, &exponent)) == 0.5;
 }
 
-// Axes permuted, mirrored and scaled by powers of two: products and sums are exact, so entering rounds the difference from the offset alone, if there is one.
-void count_roundings(Frame& f) {
+// Axes permuted, mirrored and scaled by powers of two: the inverse is exact.
+bool is_exact(const Placement& a) {
     for (int i = 0; i < 3; ++i) {
         int entries = 0;
-        for (int j = 0; j < 3; ++j) {
-            const double x = f.placement.linear(i, j);
-            if (x != 0 && (!is_power_of_two(x) || ++entries > 1)) return;
-        }
+        for (int j = 0; j < 3; ++j)
+            if (const double x = a.linear(i, j); x != 0 && (!is_power_of_two(x) || ++entries > 1)) return false;
     }
-    f.origin_units = f.placement.offset(0) == 0 && f.placement.offset(1) == 0 && f.placement.offset(2) == 0 ? 0 : 1.0625;
-    f.direction_units = f.sum_units = 0;
+    return true;
+}
+
+// What each entry of the inverse lacks is known; products round but with 0 and powers of two, differences but from an offset of 0, sums where there are two.
+void count_roundings(Frame& f) {
+    constexpr double kUnit = 1.0625 * 0x1p-53;
+    const bool exact = is_exact(f.placement);
+    for (std::size_t i = 0; i < 3; ++i) {
+        int entries = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double entry = f.inverse[3 * i + j], size = kUnit * std::abs(entry);
+            double& room = f.direction_room[3 * i + j];
+            entries += entry != 0;
+            room = (exact ? 0 : 1.0625 * room) + (entry == 0 || is_power_of_two(entry) ? 0 : size);
+            f.origin_room[3 * i + j] = room + (f.placement.offset(static_cast<int>(j)) == 0 ? 0 : size);
+        }
+        f.sum_room[i] = entries > 1 ? kUnit : 0;
+    }
 }
 
 }  // namespace

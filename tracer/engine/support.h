@@ -36,9 +36,10 @@ struct Frame {
     MotionId motion = 0;  // the placement is then the one inside the motion; the whole one depends on the time
     bool identity = true;
     std::int8_t determinant_sign = 1;
-    // What entering the frame rounds, in units of roundoff: of the products' magnitudes, for an origin (inverse, difference, product) and a direction (no
-    // difference); and of the magnitude of each sum. The rest is room.
-    double origin_units = 3.0625, direction_units = 2.0625, sum_units = 1.0625;
+    // What entering the frame rounds: entry by entry, of the magnitude it is multiplied by, for an origin (inverse, difference, product) and a direction (no
+    // difference); and, row by row, of each sum's magnitude. With a little room.
+    std::array<double, 9> origin_room{}, direction_room{};
+    std::array<double, 3> sum_room{};
 };
 
 // Requires: the linear part is regular and finite.

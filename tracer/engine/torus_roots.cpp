@@ -96,8 +96,42 @@ Look look(const Piece& p) {
     return Look::kOne;
 }
 
-// The root in the piece, certified by opposite signs at s - error and s + error.
-bool refine(const Quartic& q, const Piece& p, double& s, double& error) {
+// The torus's polynomial (G^2 - k H below) at a point of the line, made of the point's coordinates: what the line is off by comes in through the gradient, in which
+// the greater part of both terms cancels.
+struct Place {
+    double value, error;
+};
+
+struct TorusOnLine {
+    std::array<double, 3> v, ev, d, ed;  // v from the centre, at s = 0
+    std::size_t axis = 0;
+    double core = 0, ecore = 0, k = 0;  // R^2 - r^2, 4 R^2
+
+    Place at(double s) const {
+        std::array<double, 3> x, e;
+        double g = core, h = 0, squares = 0, off = 0, along = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double step = s * d[i];
+            x[i] = v[i] + step;
+            e[i] = ev[i] + std::abs(s) * ed[i] + u * (std::abs(step) + std::abs(x[i]));
+            const double xx = x[i] * x[i];
+            squares += xx;
+            if (i != axis) h += xx;
+            off += e[i] * e[i];
+            along += std::abs(x[i]) * e[i];
+        }
+        g += squares;
+        // Of G, of its difference within the room of the coordinates, and of what is beyond the gradient in F.
+        const double eg = ecore + 3 * u * squares + u * std::abs(g), dg = 2 * along + off;
+        double spread = (2 * (std::abs(g) + eg) + k) * off + dg * dg;
+        for (std::size_t i = 0; i < 3; ++i) spread += (std::abs(4 * g - (i != axis ? 2 * k : 0)) + 8 * u * (std::abs(g) + k) + 4 * eg) * std::abs(x[i]) * e[i];
+        const double gg = g * g, kh = k * h, value = gg - kh;
+        return {value, (spread + (2 * std::abs(g) + eg) * eg + u * (gg + 5 * kh + std::abs(value))) * (1 + 32 * u)};
+    }
+};
+
+// The root in the piece, certified by opposite signs at s - error and s + error. `whole`: the torus itself, where the quartic is it.
+bool refine(const Quartic& q, const TorusOnLine* whole, const Piece& p, double& s, double& error) {
     double lo = p.from, hi = p.from + p.width;
     const bool rising = p.b[0] < 0;
     s = lo + p.width * (p.b[0] / (p.b[0] - p.b[4]));
@@ -109,34 +143,34 @@ bool refine(const Quartic& q, const Piece& p, double& s, double& error) {
         if (std::abs(next - s) <= 4 * u * std::abs(s) || next == lo || next == hi) break;
         s = next;
     }
+    const auto at = [&](double x) { return whole != nullptr ? whole->at(x) : Place{q.value(x), q.value_error(x)}; };
     const double slope = std::abs(q.slope(s));
-    error = 1.25 * (std::abs(q.value(s)) + q.value_error(s)) / slope + 2 * u * std::abs(s);
+    const Place here = at(s);
+    error = 1.25 * (std::abs(here.value) + here.error) / slope + 2 * u * std::abs(s);
     for (int i = 0; i < 20 && std::isfinite(error); ++i, error *= 1.5) {
-        const double a = s - error, b = s + error;
-        if (a < p.from || b > p.from + p.width) return false;
-        const double va = q.value(a), vb = q.value(b);
-        if (std::abs(va) > q.value_error(a) && std::abs(vb) > q.value_error(b) && (va < 0) != (vb < 0)) return true;
+        if (s - error < p.from || s + error > p.from + p.width) return false;
+        const Place a = at(s - error), b = at(s + error);
+        if (std::abs(a.value) > a.error && std::abs(b.value) > b.error && (a.value < 0) != (b.value < 0)) return true;
     }
     return false;
 }
 
-struct Moved {
-    double v, ev;
-};
-
 // The torus's polynomial around t0 and a bound of |s| beyond which nothing of it lies. `reach` < 0: the ray misses the torus's ball.
-Quartic quartic_around(const Support& support, const FrameRay& ray, double t0, double& reach) {
+Quartic quartic_around(const Support& support, const FrameRay& ray, double t0, TorusOnLine& whole, double& reach) {
     const auto& p = support.p;
     const double ring = p[3], tube = p[4];
-    std::array<Moved, 3> x;
     for (std::size_t i = 0; i < 3; ++i) {
         const double o = ray.o[i] - p[i], step = t0 * ray.d[i], v = o + step;
-        x[i] = {v, ray.eo[i] + u * (std::abs(o) + std::abs(step) + std::abs(v)) + std::abs(t0) * ray.ed[i]};
+        whole.v[i] = v;
+        whole.ev[i] = ray.eo[i] + u * (std::abs(o) + std::abs(step) + std::abs(v)) + std::abs(t0) * ray.ed[i];
     }
+    whole.d = ray.d;
+    whole.ed = ray.ed;
+    whole.axis = support.axis;
     // G = g0 + 2 g1 s + g2 s^2 = |x|^2 + R^2 - r^2, H = the same of the two coordinates across the axis.
     double g0 = 0, g1 = 0, g2 = 0, e0 = 0, e1 = 0, e2 = 0, h0 = 0, h1 = 0, h2 = 0, f0 = 0, f1 = 0, f2 = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double v = x[i].v, ev = x[i].ev, d = ray.d[i], ed = ray.ed[i];
+        const double v = whole.v[i], ev = whole.ev[i], d = ray.d[i], ed = ray.ed[i];
         const double vv = v * v, vd = v * d, d2 = d * d;
         const double a = 2 * std::abs(v) * ev + ev * ev + 4 * u * vv, b = std::abs(d) * ev + std::abs(v) * ed + ev * ed + 4 * u * std::abs(vd),
                      c = 2 * std::abs(d) * ed + ed * ed + 4 * u * d2;
@@ -151,6 +185,9 @@ Quartic quartic_around(const Support& support, const FrameRay& ray, double t0, d
     e0 += 3 * u * (ring * ring + tube * tube) + 2 * u * (std::abs(g0) + std::abs(core));
     g0 += core;
     const double k = 4 * ring * ring, ek = 2 * u * k;
+    whole.core = core;
+    whole.ecore = u * (ring * ring + tube * tube + std::abs(core));
+    whole.k = k;
     Quartic q;
     q.c = {g0 * g0 - k * h0, 4 * g0 * g1 - 2 * k * h1, 2 * g0 * g2 + 4 * g1 * g1 - k * h2, 4 * g1 * g2, g2 * g2};
     const double a0 = std::abs(g0) + e0, a1 = std::abs(g1) + e1, a2 = g2 + e2, b0 = h0 + f0, b1 = std::abs(h1) + f1, b2 = h2 + f2;
@@ -161,7 +198,7 @@ Quartic quartic_around(const Support& support, const FrameRay& ray, double t0, d
 }
 
 // Roots in [-reach, reach], ascending, t = t0 + s.
-bool isolate(const Quartic& q, double reach, double t0, Crossings& out) {
+bool isolate(const Quartic& q, const TorusOnLine* whole, double reach, double t0, Crossings& out) {
     std::array<Piece, 64> stack;
     int top = 0;
     stack[0] = bernstein(q, reach);
@@ -181,7 +218,7 @@ bool isolate(const Quartic& q, double reach, double t0, Crossings& out) {
             continue;
         }
         double s = 0, error = 0;
-        if (out.count == 4 || !refine(q, piece, s, error)) return false;
+        if (out.count == 4 || !refine(q, whole, piece, s, error)) return false;
         const std::size_t n = static_cast<std::size_t>(out.count++);
         out.t[n] = t0 + s;
         out.error[n] = error + u * std::abs(out.t[n]);
@@ -200,16 +237,18 @@ bool filtered_torus(const Support& support, const FrameRay& ray, Crossings& out)
     const double t0 = along / dd;
     if (!std::isfinite(t0)) return false;
     double reach = 0;
-    const Quartic q = quartic_around(support, ray, t0, reach);
+    TorusOnLine whole;
+    const Quartic q = quartic_around(support, ray, t0, whole, reach);
     out.first_sign = 1;
     out.count = 0;
     if (reach < 0) return true;
-    return isolate(q, reach, t0, out) && out.count % 2 == 0;
+    return isolate(q, &whole, reach, t0, out) && out.count % 2 == 0;
 }
 
 bool filtered_torus_departure(const Support& support, const FrameRay& ray, Crossings& out) {
     double reach = 0;
-    const Quartic q = quartic_around(support, ray, 0, reach);
+    TorusOnLine whole;
+    const Quartic q = quartic_around(support, ray, 0, whole, reach);
     if (!(reach > 0) || !std::isfinite(reach)) return false;
     // Without the root at 0: q / t.
     Quartic rest;
@@ -217,7 +256,7 @@ bool filtered_torus_departure(const Support& support, const FrameRay& ray, Cross
         rest.c[k] = q.c[k + 1];
         rest.e[k] = q.e[k + 1];
     }
-    if (!isolate(rest, reach, 0, out) || out.count % 2 == 0) return false;
+    if (!isolate(rest, nullptr, reach, 0, out) || out.count % 2 == 0) return false;
     std::size_t at = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(out.count); ++i) {
         if (std::abs(out.t[i]) <= out.error[i]) return false;
