@@ -48,8 +48,11 @@ public:
 private:
     // Of supports with a polynomial, ascending.
     void sort_keys() {
-        for (SupportId id = 0; id < table_.supports.size(); ++id)
-            if (has_polynomial(table_.supports[id].kind)) by_key_.push_back({key_of(surface(id)), id});
+        for (SupportId id = 0; id < table_.supports.size(); ++id) {
+            if (!has_polynomial(table_.supports[id].kind)) continue;
+            const double key = key_of(surface(id));
+            by_key_.push_back({std::isfinite(key) ? key : HUGE_VAL, id});  // what overflows is compared with all
+        }
         std::sort(by_key_.begin(), by_key_.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.id < b.id); });
         rank_.resize(table_.supports.size());
         for (std::size_t k = 0; k < by_key_.size(); ++k) rank_[by_key_[k].id] = static_cast<std::uint32_t>(k);
