@@ -138,7 +138,7 @@ private:
             corners[leaves] = w;
         }
         out.t = (side * low - q_.z) / length_;
-        out.error = (std::max(0.0, high - low) + 8 * error_ * std::max(steepness, steepness_low) + 4 * kRoundings * (std::fabs(low) + std::fabs(q_.z))) / length_;
+        out.error = (std::max(0.0, high - low) + 5 * error_ * std::max(steepness, steepness_low) + 4 * kRoundings * (std::fabs(low) + std::fabs(q_.z))) / length_;
         out.certain = out.certain && std::isfinite(out.error);
         return out;
     }

@@ -160,7 +160,8 @@ std::vector<Border> without_slivers(const Borders& b, double least) {
 
 bool alike(const std::vector<Border>& a, const std::vector<Border>& b, double room) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Border& p, const Border& q) {
-        return p.entering == q.entering && std::abs(about(p) - about(q)) <= room + 1e-9 * std::abs(about(p));
+        const double apart = std::max((p.lo - q.hi).to_double(), (q.lo - p.hi).to_double());
+        return p.entering == q.entering && apart <= room + 1e-9 * std::abs(about(p));
     });
 }
 
@@ -170,9 +171,13 @@ bool is_near(const Subject& subject, const Ray& ray, const Spans& spans, const B
     const double size = length(box.hi - box.lo), room = 0x1p-10 * size / length(ray.direction);
     Borders have;
     have.starts_inside = !spans.empty() && !spans[0].in;
+    const auto border = [](const End& e, bool entering) {
+        const Dyadic error(std::isfinite(e.t_error) ? e.t_error : 0);
+        return Border{Dyadic(e.t) - error, Dyadic(e.t) + error, entering, {}, {}};
+    };
     for (const Span& s : spans) {
-        if (s.in) have.borders.push_back({Dyadic(s.in->t), Dyadic(s.in->t), true, {}, {}});
-        if (s.out) have.borders.push_back({Dyadic(s.out->t), Dyadic(s.out->t), false, {}, {}});
+        if (s.in) have.borders.push_back(border(*s.in, true));
+        if (s.out) have.borders.push_back(border(*s.out, false));
     }
     const auto plain = without_slivers(have, room);
     if (alike(plain, without_slivers(want, room), room)) return true;

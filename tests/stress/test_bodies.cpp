@@ -74,3 +74,11 @@ TEST_CASE("the bound of a border holds where three corners of the search stand o
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(grown, moved(0, 1.75, 0))}), turned));
     CHECK(fault(solid, ray({-0x1.40af58b1de2a6p+1, -0x1.2afd39eb6b5c2p-1, -0x1.541e3469ab715p+1}, {0x1.eff8aca258a52p+1, -0x1.c152fbe745e79p+0, 0x1.164aae0db5ab8p-2})) == "");
 }
+
+TEST_CASE("a body less itself a little further, along a ray in the film between, is near what it should be") {
+    SolidBuilder b;
+    const NodeId block = body(b, {{{1.25, 1.5, 1.75}, {disc(0.75)}}, {{1.25, 1.5, 3}, {disc(0.75)}}, {{0.25, 0, 1.75}, {disc(0.75)}}, {{0.25, 0, 3}, {disc(0.75)}}});
+    const Placement tilted{{1, 0, 0, 0, 0, 0x1.bb67ae8584caap-1, 0.5, 0, 0, -0.5, 0x1.bb67ae8584caap-1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kDifference, {use(block), use(block, moved(0, 0, 3e-15))}), tilted));
+    CHECK(fault(solid, ray({0x1.3p+2, 0x1.ae1f7b40a80bp+2, -0x1.dc05474b2bce8p+0}, {-0x1.cp+0, -0x1.f2d4a4563563dp+0, 0x1.2000000000003p+0}), false) == "");
+}
