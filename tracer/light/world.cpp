@@ -38,6 +38,14 @@ Result<std::vector<Surface>> faces_of(const std::vector<LeafUse>& uses, const Ma
     return resolve_surfaces(faces);
 }
 
+// Is nothing of the program on the ray, since it misses the box around all of it?
+bool misses(const Program& program, const SlabRay& slab) {
+    if (!program.makes(EnginePass::kBoxes)) return false;
+    const Bounds& b = program.bounds;
+    double from = 0, to = 0;
+    return !slab_interval<double>({b.lo.x, b.lo.y, b.lo.z}, {b.hi.x, b.hi.y, b.hi.z}, slab, from, to) || to < 0;
+}
+
 }  // namespace
 
 Result<World> World::make(std::shared_ptr<const Program> whole, const Solid* solid) {
@@ -153,8 +161,14 @@ void World::ask_all(const Ray& ray, const Leaving& left, Scratch& scratch, Meeti
     Ray asked = ray;
     meeting.met = meeting.inside = 0;
     meeting.nearest = kMostParts;
+    const SlabRay slab = slab_ray({ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-        asked.departure = (left.parts >> k) & 1U ? &left.events[k] : nullptr;
+        const bool leaves = ((left.parts >> k) & 1U) != 0;
+        if (!leaves && misses(*parts_[k].program, slab)) {
+            ++scratch.counters.skipped_by(EnginePass::kBoxes);
+            continue;
+        }
+        asked.departure = leaves ? &left.events[k] : nullptr;
         if (first_hit(*parts_[k].program, asked, kInfinity, scratch, meeting.hits[k])) meeting.add(k);
     }
 }
