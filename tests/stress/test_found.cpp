@@ -236,3 +236,13 @@ TEST_CASE("a limit before the first border changes nothing of a ray along an edg
     const Solid solid = b.finish(use(b.combine(SetOp::kIntersection, {use(b.combine(SetOp::kUnion, {use(mesh, small), use(waist)})), use(mesh, large)})));
     CHECK(fault(solid, ray({0, 0, 0x1.400000000000ep+1}, {0x1.b05876e5b012p-49, 0, -0x1.4000000000001p+0})) == "");
 }
+
+TEST_CASE("where double hardly knows t a facet is as near its class as exact numbers say") {
+    SolidBuilder b;
+    const auto corners = std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1.5}, {0, 0, -1.5}};
+    const NodeId eight = b.shape(shape::Polyhedron{std::make_shared<const FacetList>(FacetList{corners, {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}})});
+    const Placement nearly{{0x1.ffffffffffac2p-1, 0, 0, 0, 0, 0x1.ffffffffffac2p-1, 0, 0, 0, 0, 0x1.ffffffffffac2p-1, 0x1.4f86725995bb5p-43}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kDifference, {use(eight), use(eight, nearly)}), {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}}));
+    const Ray r = ray({-0x1.ffffffffffac2p+0, 0x1p+0, 0x1.4f86725995bb5p-42}, {0x1.ffffffffffac2p-1, -0x1p+0, -0x1.4f86725995bb5p-43});
+    CHECK(fault(solid, r).empty());
+}

@@ -18,15 +18,26 @@ bool push_crossing(RayContext& context, ClassId id, std::vector<Event>& out) {
     return c.count == 1;
 }
 
-// Is `t` in the box of the facet with these corners, or no further from it than kFacetReach of its size; seen along `along` (0: as it is)? In the root frame.
-// A facet's own crossing is in it, and what culls by boxes counts with that reach.
-bool is_near(const Ray& ray, const std::array<Vec3, 3>& corners, const Vec3& along, double t) {
+// Is the event in the box of the facet with these corners, or no further from it than kFacetReach of its size; seen along `along` (0: as it is)? In the root frame.
+// A facet's own crossing is in it, and what culls by boxes counts with that reach. Of a ray almost in the class's plane double may hardly know t.
+bool is_near(RayContext& context, const std::array<Vec3, 3>& corners, const Vec3& along, const Event& e) {
     const double length2 = dot(along, along);
     const auto seen = [&](const Vec3& v) { return length2 > 0 ? v - along * (dot(v, along) / length2) : v; };
-    const Vec3 a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]), at = seen(ray.origin) + t * seen(ray.direction);
-    const Vec3 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c)), size = hi - lo;
-    const Vec3 room(kFacetReach * std::max({size.x, size.y, size.z}));
-    return glm::all(glm::lessThanEqual(lo - room, at)) && glm::all(glm::lessThanEqual(at, hi + room));
+    const Vec3 a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]), origin = seen(context.ray().origin), way = seen(context.ray().direction);
+    const Vec3 least = glm::min(a, glm::min(b, c)), most = glm::max(a, glm::max(b, c)), size = most - least;
+    const double room = kFacetReach * std::max({size.x, size.y, size.z});
+    const Vec3 lo = least - Vec3(room), hi = most + Vec3(room);
+    if (e.error * length(way) <= 0x1p-20 * room) {
+        const Vec3 at = origin + e.t * way;
+        return glm::all(glm::lessThanEqual(lo, at)) && glm::all(glm::lessThanEqual(at, hi));
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (way[i] == 0 && !(lo[i] <= origin[i] && origin[i] <= hi[i])) return false;
+        if (way[i] == 0) continue;
+        const auto [from, to] = std::minmax({(lo[i] - origin[i]) / way[i], (hi[i] - origin[i]) / way[i]});
+        if (context.compare(e, {from, 0, kNoClass, 0, false}) < 0 || context.compare(e, {to, 0, kNoClass, 0, false}) > 0) return false;
+    }
+    return true;
 }
 
 // The crossing of a facet whose class is another's plane: of the class where that is near it, otherwise of its own plane.
@@ -37,7 +48,7 @@ void push_near(RayContext& context, ClassId id, ClassId own, const Corners& corn
         return;
     }
     if (push_crossing(context, id, out)) {
-        if (is_near(context.ray(), corners(), along, out.back().t)) return;
+        if (is_near(context, corners(), along, out.back())) return;
         out.pop_back();
     }
     push_crossing(context, own, out);
