@@ -18,8 +18,6 @@ constexpr double kSameDirection = 0x1p-40;
 BallImage ball(double r) { return {{r, 0, 0}, {0, r, 0}, {0, 0, r}}; }
 BallImage disc(double r) { return {{r, 0, 0}, {0, r, 0}, {0, 0, 0}}; }
 
-Vec3 components(const BallImage& image, const Vec3& n) { return {glm::dot(n, image.u), glm::dot(n, image.v), glm::dot(n, image.w)}; }
-
 // Its columns, those that are not 0 first; nothing where all are.
 std::optional<BallImage> tidied(const BallImage& image) {
     std::array<Vec3, 3> columns{image.u, image.v, image.w};
@@ -218,13 +216,15 @@ double reach(const ConvexParts& parts, const Vec3& n) {
     return d;
 }
 
-Vec3 farthest_point(const ConvexParts& parts, const Vec3& n) {
+const ConvexPart& farthest_part(const ConvexParts& parts, const Vec3& n) {
     const ConvexPart* best = &parts.front();
     double most = -HUGE_VAL;
     for (const ConvexPart& part : parts)
         if (const double d = reach(part, n); d > most) best = &part, most = d;
-    return farthest_point(*best, n);
+    return *best;
 }
+
+Vec3 farthest_point(const ConvexParts& parts, const Vec3& n) { return farthest_point(farthest_part(parts, n), n); }
 
 Vec3 farthest_point(const ConvexParts& parts, double size, const FlatFace& face, const Vec3& way) {
     const double rounding = kFlatRounding * size;

@@ -19,7 +19,11 @@ using ConvexParts = std::vector<ConvexPart>;
 double reach(const ConvexPart& part, const Vec3& n);
 Vec3 farthest_point(const ConvexPart& part, const Vec3& n);
 
-// The same of the hull of some parts, not none.
+// The direction's components along the image's columns.
+inline Vec3 components(const BallImage& image, const Vec3& n) { return {glm::dot(n, image.u), glm::dot(n, image.v), glm::dot(n, image.w)}; }
+
+// The same of the hull of some parts, not none; the first of those that reach farthest.
+const ConvexPart& farthest_part(const ConvexParts& parts, const Vec3& n);
 double reach(const ConvexParts& parts, const Vec3& n);
 Vec3 farthest_point(const ConvexParts& parts, const Vec3& n);
 

@@ -116,8 +116,8 @@ void unsettled_convex(const Frame& frame, const Ray& ray, bool leaving, Crossing
 
 Vec3 convex_gradient(const Frame& frame, const Vec3& point) {
     const ConvexHullBody& body = *frame.body;
-    const ConvexSpan span = span_on_line(body, body.middle, point - body.middle, 0);
-    return span.kind == ConvexSpan::Kind::kMet ? span.out.normal : point - body.middle;
+    const auto border = way_out(body, body.middle, point - body.middle);
+    return border ? border->normal : point - body.middle;
 }
 
 Vec3 convex_middle(const Frame& frame) { return apply_to_point(frame.placement, frame.body->middle); }
