@@ -11,6 +11,9 @@ namespace {
 constexpr int kMostSteps = 200;       // about 20 are usual
 constexpr double kRoundings = 24 * 0x1p-53;  // of a coordinate about the middle, across or along the line
 constexpr int kStepsToFaces = 2;             // then a flat face is more likely than a curved place
+constexpr std::size_t kAround = 8;           // directions about a normal
+constexpr double kLeastTilt = 0x1p-20;       // between them and it
+constexpr double kPi = 3.14159265358979323846;
 constexpr int kMostTries = 12;               // of Newton's method: 4 are usual
 constexpr double kLeastBend = 0x1p-30;       // of the body's size: what bends more is an edge
 constexpr double kHalfRoot3 = 0.86602540378443865;
@@ -193,7 +196,11 @@ private:
             if (is_closed(at) && at.within) break;
             if (touches(recent.distinct(), slope, at)) break;
             const std::size_t leaves = is_closed(at) ? corners.size() : leaving(triangle, share, w);
-            if (leaves == corners.size()) break;
+            if (leaves == corners.size()) {
+                const double depth = triangle.depth(share);
+                at.within = at.within || rises_little({slope.x, slope.y, -1}, side, 8 * error_ + std::max(0.0, -depth), at.steepness, at.high);
+                break;
+            }
             corners = triangle.corner;
             corners[leaves] = w;
         }
@@ -202,7 +209,7 @@ private:
         out.t = (side * at.low - q_.z) / length_;
         out.error = (std::max(0.0, at.high - at.low) + 5 * error_ * std::max(at.steepness, at.steepness_low) +
                      4 * kRoundings * (std::fabs(at.low) + std::fabs(q_.z))) / length_;
-        out.certain = at.within && is_closed(at) && std::isfinite(out.error);
+        out.certain = at.within && std::isfinite(out.error);
         return out;
     }
 
@@ -322,6 +329,32 @@ private:
         now.within = triangle.depth(share) > 8 * error_;
         if (!now.within || !is_closed(now)) return false;
         at = now;
+        return true;
+    }
+
+    // Where q lies on the triangle's rim, or as near beyond it as `room`, the exact one may be outside; then the body, which is convex, reaches over it from a point of
+    // the triangle within `room` towards one of a wider triangle around q. `high` becomes what that is at most. False: none of those tried is wide enough.
+    bool rises_little(const Vec3& n, double side, double room, double steepness, double& high) const {
+        if (!(room <= 64 * error_)) return false;
+        double least = HUGE_VAL;
+        for (double tilt = 1; tilt > kLeastTilt; tilt /= 8) {
+            std::array<Place, kAround> around;
+            for (std::size_t k = 0; k < kAround; ++k) {
+                const double turn = static_cast<double>(k) * (2 * kPi / kAround);
+                around[k] = farthest({n.x + tilt * steepness * std::cos(turn), n.y + tilt * steepness * std::sin(turn), n.z * side});
+                around[k].z *= side;
+            }
+            for (std::size_t i = 0; i < kAround; ++i)
+                for (std::size_t j = i + 1; j < kAround; ++j)
+                    for (std::size_t k = j + 1; k < kAround; ++k) {
+                        const Triangle wide({around[i], around[j], around[k]});
+                        const double depth = wide.depth(wide.shares(q_));
+                        if (!(depth > 16 * room)) continue;
+                        least = std::min(least, 2 * room / depth * std::max({0.0, around[i].z - high, around[j].z - high, around[k].z - high}));
+                    }
+        }
+        if (!(least < HUGE_VAL)) return false;
+        high += least + 2 * room * steepness;
         return true;
     }
 
