@@ -128,7 +128,10 @@ private:
         }
         std::array<double, 3> shares(const Place& p) const {
             const Vec3 r = p - corner[0];
-            const double b = cross(r, f) / area, c = cross(e, r) / area;
+            double b = cross(r, f) / area, c = cross(e, r) / area;
+            // Once more for what they miss: in a long thin triangle quotients of rounded areas are another point's, far along it.
+            const Vec3 missed = r - b * e - c * f;
+            b += cross(missed, f) / area, c += cross(e, missed) / area;
             return {1 - b - c, b, c};
         }
         Vec2 slope() const { return {(e.z * f.y - f.z * e.y) / area, (e.x * f.z - f.x * e.z) / area}; }
