@@ -85,6 +85,7 @@ std::optional<Vec4> color_of_text(std::string_view text) {
 
 std::string nearest_color(std::string_view text) {
     std::vector<std::string> known;
+    known.reserve(std::size(kColors));
     for (const NamedColor& c : kColors) known.emplace_back(c.name);
     if (text.starts_with(kSurveyPrefix))
         for (const NamedColor& c : survey_colors()) known.push_back(std::string(kSurveyPrefix) + std::string(c.name));

@@ -134,6 +134,7 @@ HullResult hull_of_balls(SolidBuilder& builder, std::vector<Ball> balls) {
     const bool curved = std::any_of(balls.begin(), balls.end(), [](const Ball& b) { return b.r > 0; });
     if (!curved) {
         std::vector<Vec3> corners;
+        corners.reserve(balls.size());
         for (const Ball& b : balls) corners.push_back(b.c);
         auto hull = convex_hull_of(std::move(corners));
         if (!hull) return {std::nullopt, true};

@@ -75,7 +75,7 @@ private:
     using Reader = std::function<bool(const std::string&)>;
 
     // An option with one value, which may be given again; `read` returns false where the value is not what `wants` says.
-    void value(const char* name, const char* wants, const char* help, const char* group, Reader read) {
+    void value(const char* name, const char* wants, const char* help, const char* group, const Reader& read) {
         const std::string shown = name, expected = wants;
         const auto read_all = [=](const std::vector<std::string>& texts) {
             for (const auto& text : texts)

@@ -98,7 +98,7 @@ private:
     // Revolution of a 2D node; `plane` maps the profile's plane (x: radius, y: height).
     FormulaId revolved(NodeId id, const Chain& plane, const Site& site);
     FormulaId revolved_disc(double x, double z, double r, const Site& site);
-    FormulaId revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site);
+    FormulaId revolved_polygon(const std::vector<std::vector<Vec2>>& contours, const Site& site);
     FormulaId ring(double z0, double z1, Vec2 inner0, Vec2 inner1, Vec2 outer0, Vec2 outer1, bool has_inner, const Site& site);
     FormulaId wedge(double start_deg, double angle_deg, const Bounds& box, const Site& site);
 
@@ -107,7 +107,7 @@ private:
     FormulaId cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site);
     FormulaId all_of(std::vector<FormulaId> children, const Site& site);
     FormulaId any_of(std::vector<FormulaId> children, const Site& site);
-    FormulaId join(FormulaKind kind, std::vector<FormulaId> children);
+    FormulaId join(FormulaKind kind, const std::vector<FormulaId>& children);
     FormulaId constant(bool value);
     FormulaId push(FormulaNode node);
     void order_cuts();

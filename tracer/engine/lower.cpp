@@ -114,7 +114,7 @@ FormulaId FormulaBuilder::any_of(std::vector<FormulaId> children, const Site& si
     return join(site.negated ? FormulaKind::kAnd : FormulaKind::kOr, std::move(children));
 }
 
-FormulaId FormulaBuilder::join(FormulaKind kind, std::vector<FormulaId> children) {
+FormulaId FormulaBuilder::join(FormulaKind kind, const std::vector<FormulaId>& children) {
     const bool is_and = kind == FormulaKind::kAnd;
     FormulaNode n;
     n.kind = kind;

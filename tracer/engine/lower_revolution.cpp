@@ -136,7 +136,7 @@ FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& si
     }
     for (auto& contour : contours)
         for (Vec2& v : contour) v = m.apply(v);
-    return revolved_polygon(std::move(contours), where);
+    return revolved_polygon(contours, where);
 }
 
 FormulaId FormulaBuilder::revolved_disc(double x, double z, double r, const Site& site) {
@@ -155,7 +155,7 @@ FormulaId FormulaBuilder::revolved_disc(double x, double z, double r, const Site
     return cell({p.torus_core(centre, ring, r), {sheet.support, !sheet.inverted}}, p.root_box(), site);
 }
 
-FormulaId FormulaBuilder::revolved_polygon(std::vector<std::vector<Vec2>> contours, const Site& site) {
+FormulaId FormulaBuilder::revolved_polygon(const std::vector<std::vector<Vec2>>& contours, const Site& site) {
     const std::vector<Edge> edges = edges_of(contours);
     const std::vector<double> cuts = cuts_of(edges);
     std::vector<FormulaId> rings;

@@ -1,7 +1,8 @@
 // ray_context.cpp — frames, crossings and comparisons of one ray.
 #include "tracer/engine/ray_context.h"
 
-#include <cstring>
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "tracer/engine/convex.h"
@@ -45,7 +46,9 @@ Placement whole_motion(const std::vector<MotionGroup>& motions, MotionId id, dou
     return whole_motion(motions, g.parent, time) * g.outer * g.path.at(time);
 }
 
-bool same_bits(const Placement& a, const Placement& b) { return std::memcmp(a.m.data(), b.m.data(), sizeof a.m) == 0; }
+bool same_bits(const Placement& a, const Placement& b) {
+    return std::equal(a.m.begin(), a.m.end(), b.m.begin(), [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
+}
 
 }  // namespace
 

@@ -27,7 +27,7 @@ FrameRay ray_in_frame(const Frame& frame, const Ray& ray);
 struct Crossings {
     static constexpr int kMost = 8;  // polynomials have at most four, turned sides of a piece of a twist hardly more
     std::array<double, kMost> t, error;
-    std::int8_t count = 0;
+    std::uint8_t count = 0;
     std::int8_t first_sign = 1;
 };
 
