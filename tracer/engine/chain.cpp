@@ -31,8 +31,9 @@ AxisMap after(const AxisMap& outer, const AxisMap& inner) {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = outer.from[i];
         r.from[i] = inner.from[j];
-        r.scale[i] = outer.scale[i] * inner.scale[j];
-        r.shift[i] = outer.scale[i] * inner.shift[j] + outer.shift[i];
+        // What is 1 or 0 is not multiplied: most maps only shift.
+        r.scale[i] = inner.scale[j] == 1 ? outer.scale[i] : outer.scale[i] * inner.scale[j];
+        r.shift[i] = inner.shift[j] == 0 ? outer.shift[i] : (outer.scale[i] == 1 ? inner.shift[j] : outer.scale[i] * inner.shift[j]) + outer.shift[i];
     }
     return r;
 }

@@ -34,7 +34,7 @@ public:
     Chain then(const Placement& p) const;
     const AxisMap& inner() const { return inner_; }
     // The frame to put shapes in whose numbers absorb inner(); and the one for shapes that absorb nothing.
-    Placement outer() const { return rounded(outer_); }
+    Placement outer() const { return turned_ ? rounded(outer_) : Placement{}; }
     Placement whole() const { return rounded(whole_matrix()); }
     // Sum of the magnitudes that rounding acted on, for a point of the given size: times the unit roundoff, a bound of the displacement.
     double rounding_for(double size) const { return (links_ + 2) * 0x1p-53 * (reach_ + stretch_ * size); }

@@ -128,7 +128,8 @@ Wide reach_of_map(const AxisMap& map, double size) {
 Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb, const Twist* twist) : formula_(formula) {
     const bool taken = can_absorb(chain.inner(), absorb);
     if (taken) map_ = chain.inner();
-    frame_ = formula.table.frame(taken ? chain.outer() : chain.whole(), motion, twist);
+    const Placement whole = chain.whole();
+    frame_ = formula.table.frame(taken ? chain.outer() : whole, motion, twist);
     root_box_ = everywhere();
     double size = 0;
     for (int i = 0; i < 3; ++i)
@@ -139,7 +140,7 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
     formula_.largest_displacement = std::max(formula_.largest_displacement, taken ? chain.displacement_of_outer(to_double(reach_of_map(map_, size))) : chain.displacement_of_whole(size));
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
     if (finite) {
-        root_box_ = swept_bounds(formula.motions, motion, placed_bounds(box, chain.whole()));
+        root_box_ = swept_bounds(formula.motions, motion, placed_bounds(box, whole));
         // What moves is placed once more for every time, with a few dozen roundings.
         constexpr double kRoundingOfPath = 0x1p-46;
         const double room = 4 * rounding_ + (motion == 0 ? 0 : kRoundingOfPath * (glm::length(root_box_.lo) + glm::length(root_box_.hi)));
