@@ -60,9 +60,9 @@ private:
     static double cross(const Vec3& a, const Vec3& b) { return a.x * b.y - a.y * b.x; }
     static double flat_dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y; }
 
-    // Two support points of a flat set about the origin such that the triangle of them and the origin holds q.
+    // Two support points of a flat set about the origin such that the triangle of them and the origin holds q, deeper than `depth` from their line.
     template <typename Farthest>
-    ConvexSpan::Kind surround(const Place& q, const Farthest& reached, Place& a, Place& b) const {
+    ConvexSpan::Kind surround(const Place& q, const Farthest& reached, Place& a, Place& b, double depth = 0) const {
         Vec3 way(q.x, q.y, 0);
         if (!(glm::length(way) > error_)) way = {1, 0, 0};
         way /= glm::length(way);
@@ -74,7 +74,7 @@ private:
             const double length = glm::length(n);
             if (!(length > 0)) return ConvexSpan::Kind::kUnclear;
             n *= (flat_dot(n, way) < 0 ? -1 : 1) / length;  // a and b may lie so far round that the middle is beyond their line
-            if (flat_dot(n, q - a) <= 0) return ConvexSpan::Kind::kMet;
+            if (flat_dot(n, q - a) <= -depth) return ConvexSpan::Kind::kMet;
             const Place w = reached(n);
             if (flat_dot(n, q - w) > 4 * error_) return ConvexSpan::Kind::kMissed;
             if (flat_dot(n, w - a) <= 4 * error_) return ConvexSpan::Kind::kUnclear;
@@ -85,6 +85,12 @@ private:
 
     ConvexSpan::Kind surround() {
         return surround(q_, [&](const Vec3& n) { return farthest(n); }, start_[1], start_[2]);
+    }
+
+    // Is the line within the body's outline, seen along it, for certain? Along a ridge it is not: there its borders may be known, but not that it has any.
+    bool is_inside() const {
+        Place a, b;
+        return surround(q_, [&](const Vec3& n) { return farthest(n); }, a, b, 8 * error_) == ConvexSpan::Kind::kMet;
     }
 
     // Of the flat faces that look to the side the one whose plane is met last: three places of it around the line, where there are such.
@@ -201,7 +207,7 @@ private:
             const std::size_t leaves = is_closed(at) ? corners.size() : leaving(triangle, share, w);
             if (leaves == corners.size()) {
                 const double depth = triangle.depth(share);
-                at.within = at.within || rises_little({slope.x, slope.y, -1}, side, 8 * error_ + std::max(0.0, -depth), at.steepness, at.high);
+                at.within = at.within || (rises_little({slope.x, slope.y, -1}, side, 8 * error_ + std::max(0.0, -depth), at.steepness, at.high) && is_inside());
                 break;
             }
             corners = triangle.corner;

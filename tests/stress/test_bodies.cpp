@@ -3,6 +3,7 @@
 
 #include "csg/solid/convex_body.h"
 #include "tests/stress/compare.h"
+#include "tests/support/random_solid.h"
 #include "tests/support/use.h"
 
 using namespace whittle;
@@ -81,4 +82,13 @@ TEST_CASE("a body less itself a little further, along a ray in the film between,
     const Placement tilted{{1, 0, 0, 0, 0, 0x1.bb67ae8584caap-1, 0.5, 0, 0, -0.5, 0x1.bb67ae8584caap-1, 0}};
     const Solid solid = b.finish(use(b.combine(SetOp::kDifference, {use(block), use(block, moved(0, 0, 3e-15))}), tilted));
     CHECK(fault(solid, ray({0x1.3p+2, 0x1.ae1f7b40a80bp+2, -0x1.dc05474b2bce8p+0}, {-0x1.cp+0, -0x1.f2d4a4563563dp+0, 0x1.2000000000003p+0}), false) == "");
+}
+
+TEST_CASE("a ray along a ridge of a body meets it where the rule moves it") {
+    SolidBuilder b;
+    const NodeId leaning = body(b, {{{-1.25, -1.25, 1.25}, {disc(1.25)}}, {{1.25, 1.25, 2.5}, {}}, {{0, 1.25, 2.5}, {}}});
+    const Solid solid = b.finish(use(leaning, moved(0, -1.25, 0)));
+    CHECK(fault(solid, ray({-0x1.bp+2, 0x0p+0, 0x1.4p+1}, {0x1.6204306ba0908p+6, 0x0p+0, 0x0p+0}), false) == "");
+    const support::RandomSolid found = support::random_solid(support::Theme::kConvex, 9530342704977579889u);
+    CHECK(fault(found.solid, ray({-0x1.bp+2, 0x0p+0, 0x1.4p+1}, {0x1.6204306ba0908p+6, 0x0p+0, 0x0p+0}), false) == "");
 }
