@@ -372,11 +372,22 @@ tl::unexpected<Error> unexpected_word(const std::vector<std::string>& words, con
     return fail(Fault::kCommand, fmt::format("'{}' is one word too many", words.front()));
 }
 
+// A word that no file is called by: what stands where a verb belongs.
+bool is_bare(const std::string& word) { return word.find_first_of("./") == std::string::npos && word != "-"; }
+
+tl::unexpected<Error> no_verb(const std::string& word) {
+    std::vector<std::string> names;
+    for (const auto& verb : kVerbs) names.emplace_back(verb.name);
+    const auto near = nearest(word, names);
+    return fail(Fault::kCommand, fmt::format("'{}' is no verb{}", word, near ? fmt::format("; did you mean {}?", *near) : "; whittle --help lists them"));
+}
+
 Result<void> validate(const VerbInfo* verb, Request& request) {
     const bool many_files = verb && verb->verb == Verb::kMerge;
     if (verb && verb->verb == Verb::kBench) return {};
     if (request.inputs.empty()) return fail(Fault::kCommand, many_files ? "merge wants the pictures to put together" : "no scene is named");
     const bool suite = verb && verb->verb == Verb::kCheck && request.check.suite;
+    if (!verb && request.inputs.size() > 1 && is_bare(request.inputs[0])) return no_verb(request.inputs[0]);
     if (!many_files && !suite && request.inputs.size() > 1) return fail(Fault::kCommand, fmt::format("one scene at a time: '{}' is a second", request.inputs[1]));
     if (many_files && request.outputs.size() != 1) return fail(Fault::kCommand, "merge wants one -o FILE");
     if (request.common.parameter_set.empty() != request.common.parameter_file.empty()) return fail(Fault::kCommand, "-p and -P go together");

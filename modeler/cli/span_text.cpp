@@ -18,6 +18,9 @@ std::string color_member(const Material& material) {
     return fmt::to_string(out);
 }
 
+// For people: -0 reads as a number that was rounded.
+Vec3 without_sign_of_zero(const Vec3& v) { return v + Vec3(0.0); }
+
 // {"t":..,"t_error":..,"point":..,"normal":.. , open still.
 void append_place_json(json::Buffer& out, const Ray& ray, const End& end) {
     json::raw(out, R"({"t":)");
@@ -46,15 +49,15 @@ void append_interface_json(json::Buffer& out, const Ray& ray, const Interface& i
 }
 
 void append_interface_row(json::Buffer& out, const Ray& ray, const Interface& interface, const UseTexts& uses) {
-    const Vec3 p = point_at(ray, interface.at.t);
+    const Vec3 p = without_sign_of_zero(point_at(ray, interface.at.t));
     fmt::format_to(fmt::appender(out), "  turn t {:<22} at ({}, {}, {})  matter of {} to {}{}\n", interface.at.t, p.x, p.y, p.z, uses.short_place(interface.from),
                    uses.short_place(interface.at.use), interface.at.certified ? "" : "  (not certified)");
 }
 
 void append_end_row(json::Buffer& out, const char* way, const Ray& ray, const End& end, const UseTexts& uses) {
-    const Vec3 p = point_at(ray, end.t);
+    const Vec3 p = without_sign_of_zero(point_at(ray, end.t)), n = without_sign_of_zero(end.normal);
     fmt::format_to(fmt::appender(out), "  {:<4}t {:<22} at ({}, {}, {})  normal ({:.6g}, {:.6g}, {:.6g})  solid {}  surface {}  {}{}\n", way, end.t, p.x, p.y, p.z,
-                   end.normal.x, end.normal.y, end.normal.z, end.use, end.surface, uses.short_place(end.use), end.certified ? "" : "  (not certified)");
+                   n.x, n.y, n.z, end.use, end.surface, uses.short_place(end.use), end.certified ? "" : "  (not certified)");
 }
 
 }  // namespace

@@ -177,6 +177,9 @@ TEST_CASE("what is named in the documents and not there yet is refused, never pa
     CHECK_FALSE(refusal({"mesh", "a.scad", "--remesh", "0"}).empty());
     CHECK_FALSE(refusal({"mesh", "a.scad", "--simplify", "-1"}).empty());
     CHECK_FALSE(refusal({"check", "a.scad", "--booleans", "nef"}).empty());
+    CHECK(refusal({"meash", "a.scad"}) == "'meash' is no verb; did you mean mesh?");
+    CHECK(refusal({"photograph", "a.scad"}) == "'photograph' is no verb; whittle --help lists them");
+    CHECK(refusal({"a.scad", "b.scad"}) == "one scene at a time: 'b.scad' is a second");
     CHECK(refusal({"check", "a.scad", "b.scad"}) == "one scene at a time: 'b.scad' is a second");
     CHECK(contains(refusal({"-o", "a.png", "--summary", "everything", "a.scad"}), "bounding-box"));
     CHECK(contains(refusal({"view", "a.scad"}), "render --watch"));
