@@ -246,3 +246,17 @@ TEST_CASE("where double hardly knows t a facet is as near its class as exact num
     const Ray r = ray({-0x1.ffffffffffac2p+0, 0x1p+0, 0x1.4f86725995bb5p-42}, {0x1.ffffffffffac2p-1, -0x1p+0, -0x1.4f86725995bb5p-43});
     CHECK(fault(solid, r).empty());
 }
+
+TEST_CASE("a border through whose point a plane leans along the ray stands where its other surfaces are") {
+    SolidBuilder b;
+    const NodeId box = b.shape(shape::RoundBox{{0, 0, 0}, {0.75, 0.25, 0.25}, 0.03125});
+    const Placement leaning{{1, 0, 0, 0, 0, 1, 0x1.0356a633ec4afp-36, 0, 0, -0x1.0356a633ec4afp-36, 1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(box), use(box, leaning)})));
+    const Ray up = ray({0x1.7p-1, 0x1.cp-3, -0x1.4p-3}, {0, 0, 0x1.8p-3});
+    CHECK(fault(solid, up) == "");
+    Scratch scratch;
+    Hit hit;
+    REQUIRE(first_hit(*subject_of(solid, true).program, up, HUGE_VAL, scratch, hit));
+    CHECK(hit.end.t_error < 1e-14);
+    CHECK(hit.end.normal.z < -0.99);
+}

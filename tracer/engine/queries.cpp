@@ -39,12 +39,27 @@ std::uint32_t shown_use(const Program& program, Walker& walker, const std::vecto
     return held != kNone ? held : first;
 }
 
-// Of the events that make a border at one place the first by class stands for it, however they were found.
-Event border_of(const std::vector<Walker::Cause>& causes, const Event& e) {
-    const Event* first = nullptr;
+// Of the ray's reach: events whose t is known no better do not stand for a border that another of its events knows better.
+constexpr double kPoorlyKnown = 0x1p-40;
+
+bool is_before(const Event& a, const Event& b) { return a.id() < b.id() || (a.id() == b.id() && a.index() < b.index()); }
+
+// Of the events that make a border at one place the first by class stands for it, however they were found; but not one whose plane the ray all but lies in, if
+// there are others: its t is off by far more than theirs.
+Event border_of(const std::vector<Walker::Cause>& causes, const Ray& ray, const Event& e) {
+    if (causes.empty()) return Event::beside(e, false);
+    const Event* first = &causes[0].event;
+    double least = first->error;
+    for (const Walker::Cause& c : causes) {
+        if (is_before(c.event, *first)) first = &c.event;
+        least = std::min(least, c.event.error);
+    }
+    const auto size = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const double poor = kPoorlyKnown * (std::abs(e.t) + size(ray.origin) / size(ray.direction));
+    if (!(first->error > poor) || !(least <= poor)) return Event::beside(*first, false);
     for (const Walker::Cause& c : causes)
-        if (!first || c.event.id() < first->id() || (c.event.id() == first->id() && c.event.index() < first->index())) first = &c.event;
-    return Event::beside(first ? *first : e, false);
+        if (c.event.error <= poor && (first->error > poor || is_before(c.event, *first))) first = &c.event;
+    return Event::beside(*first, false);
 }
 
 // The border at `e`, which becomes the event that stands for it; its causes are left in `impl`.
@@ -59,7 +74,7 @@ void make_end(const Program& program, Scratch::Impl& impl, const Ray& ray, Event
         impl.walker.causes(program.root, e, impl.causes);
     }
     if (impl.causes.empty() && !mutated(Mutation::kCausesInBoxesOnly)) impl.walker.causes_among_met(e, impl.causes);
-    e = border_of(impl.causes, e);
+    e = border_of(impl.causes, ray, e);
     end.t = std::max(e.t, 0.0);  // the exact t is not negative: still within the bound
     end.t_error = e.error;
     end.surface = e.id();
