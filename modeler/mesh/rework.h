@@ -12,7 +12,7 @@ struct Reworked {
     bool changed = true;   // false: nothing that holds the promise was found, the mesh is as it was
 };
 
-// Fewer triangles by OpenMesh, the Hausdorff distance from `in` at most `most_mm`. Borders between colours and parts stay.
+// Fewer triangles by OpenMesh, the Hausdorff distance from `in` at most `most_mm`; so are borders between colours and parts.
 // Errors: kWorld where the module is not installed; kInterrupted.
 Result<Reworked> simplified(const MeshResult& in, double most_mm, MeshControl& control);
 

@@ -68,6 +68,19 @@ std::set<Side> rim_of(const MeshResult& r) {
     return out;
 }
 
+Vec3 at_share(const std::array<double, 3>& from, const std::array<double, 3>& to, double share) {
+    return glm::mix(Vec3(from[0], from[1], from[2]), Vec3(to[0], to[1], to[2]), share);
+}
+
+double distance_to(const std::set<Side>& sides, const Vec3& p) {
+    double least = HUGE_VAL;
+    for (const auto& [from, to] : sides) {
+        const Vec3 a = at_share(from, to, 0), way = at_share(from, to, 1) - a;
+        least = std::min(least, glm::distance(p, a + std::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0, 1.0) * way));
+    }
+    return least;
+}
+
 }  // namespace
 
 TEST_CASE("the distance between two surfaces is bounded for every point of them") {
@@ -130,7 +143,7 @@ TEST_CASE("walls of bores and thin walls are simplified too, and neither caves i
     }
 }
 
-TEST_CASE("simplifying keeps the borders between colours") {
+TEST_CASE("simplifying gives up corners of borders between colours, and moves none farther than was asked") {
     SolidBuilder b;
     Material red;
     red.color = Vec4(1, 0, 0, 1);
@@ -138,11 +151,45 @@ TEST_CASE("simplifying keeps the borders between colours") {
     const Solid solid = b.finish(at(b.combine(SetOp::kUnion, {b.labelled({red, {}, {}}, at(ball)), at(ball, {7, 3, 1})})));
     const MeshResult fine = mesh_of(solid, 0.01);
     MeshControl control;
+    constexpr double kMost = 0.2;
+    const auto made = simplified(fine, kMost, control);
+    REQUIRE(made);
+    REQUIRE(made->changed);
+    CHECK(made->result.mesh.triangles.size() * 4 < fine.mesh.triangles.size());
+    const auto rim = rim_of(made->result), was = rim_of(fine);
+    CHECK(rim.size() >= 8);
+    CHECK(rim.size() * 2 < was.size());
+    for (const auto& [from, to] : was)
+        for (const double share : {0.0, 0.5}) CHECK(distance_to(rim, at_share(from, to, share)) <= kMost);
+    for (const auto& [from, to] : rim)
+        for (const double share : {0.0, 0.25, 0.5, 0.75}) CHECK(distance_to(was, at_share(from, to, share)) <= kMost);
+}
+
+TEST_CASE("where three colours meet the corner stays") {
+    SolidBuilder b;
+    const auto coloured = [&](float r, float g, const Vec3& where) {
+        Material m;
+        m.color = Vec4(r, g, 0, 1);
+        return b.labelled({m, {}, {}}, at(b.shape(shape::Ellipsoid{Vec3(10)}), where));
+    };
+    const Solid solid = b.finish(at(b.combine(SetOp::kUnion, {coloured(1, 0, {0, 0, 0}), coloured(0, 1, {8, 0, 0}), coloured(1, 1, {4, 7, 0})})));
+    const MeshResult fine = mesh_of(solid, 0.01);
+    const auto meetings = [](const MeshResult& r) {
+        std::map<std::array<double, 3>, std::set<std::uint32_t>> leaves;
+        for (std::size_t i = 0; i < r.mesh.triangles.size(); ++i)
+            for (const std::uint32_t p : r.mesh.triangles[i]) leaves[{r.mesh.points[p].x, r.mesh.points[p].y, r.mesh.points[p].z}].insert(r.mesh.leaf[i]);
+        std::set<std::array<double, 3>> out;
+        for (const auto& [p, l] : leaves)
+            if (l.size() > 2) out.insert(p);
+        return out;
+    };
+    MeshControl control;
     const auto made = simplified(fine, 0.2, control);
     REQUIRE(made);
     REQUIRE(made->changed);
-    CHECK(made->result.mesh.triangles.size() * 2 < fine.mesh.triangles.size());
-    CHECK(rim_of(made->result) == rim_of(fine));
+    check_valid(made->result);
+    CHECK(meetings(fine).size() == 2);
+    CHECK(meetings(made->result) == meetings(fine));
 }
 
 TEST_CASE("a remeshed solid has even triangles, its sharp edges, and its volume") {
