@@ -18,6 +18,7 @@ Result<Reworked> simplified(const MeshResult& in, double most_mm, MeshControl& c
 
 // Triangles of about `edge_mm` a side by CGAL; edges that turn by more than 30 degrees and borders between colours and
 // parts stay where they are, divided where they are longer; a triangle's leaf is then the first of its colour and part.
+// Where that would make triangles cross, from a mesh simplified by a 64th or a 16th of it.
 // Errors: kWorld where the module is not installed or triangles of that size are too many; kScene where the surface cannot be remeshed so; kInterrupted.
 Result<Reworked> remeshed(const MeshResult& in, double edge_mm, MeshControl& control);
 

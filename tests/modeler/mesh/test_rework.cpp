@@ -212,6 +212,22 @@ TEST_CASE("a remeshed solid has even triangles, its sharp edges, and its volume"
     CHECK_FALSE(remeshed(fine, 1e-4, control));
 }
 
+TEST_CASE("a bar that goes on in a ring of its own radius is remeshed, slivers between their chords and all") {
+    SolidBuilder b;
+    const NodeId disc = b.shape(shape::Disc{5});
+    const NodeId half = b.shape(shape::Revolution{b.combine(SetOp::kUnion, {at(disc, {18, 0, 0})}), 0, 180, 0});
+    const NodeId bar = b.shape(shape::Frustum{0, 20, 5, 5});
+    Use along = at(bar);
+    along.placement = Placement{{1, 0, 0, 18, 0, 0, 1, -20, 0, -1, 0, 0}};
+    const MeshResult fine = mesh_of(b.finish(at(b.combine(SetOp::kUnion, {at(half), along}))), 0.01);
+    MeshControl control;
+    const auto made = remeshed(fine, 1.5, control);
+    REQUIRE(made);
+    check_valid(made->result);
+    CHECK(made->deviation <= 0.375);
+    CHECK_THAT(volume(made->result), WithinRel(volume(fine), made->deviation * area(fine) / volume(fine)));
+}
+
 TEST_CASE("a remeshed solid keeps long sharp edges and borders of colours where they were") {
     SolidBuilder b;
     Material red;
