@@ -27,7 +27,7 @@ CameraLight Integration::radiance(const CameraSample& sample, const FirstBorder*
     if (!std::isfinite(light.radiance.x + light.radiance.y + light.radiance.z)) ++counters_.no_numbers;
     if (!stage_.light_passes) return light;
     const LightPass* pass = std::get<PathTracer>(walker_).pass();
-    if (pass && pass->draws_on_picture()) light.drawn = pass->on_pixel(static_cast<std::uint32_t>(sample.y) * static_cast<std::uint32_t>(stage_.options.width) + static_cast<std::uint32_t>(sample.x));
+    if (pass && pass->draws_on_picture()) light.drawn = pass->on_pixel(sample.x, sample.y);
     return light;
 }
 

@@ -26,13 +26,6 @@ constexpr double kFirstRadius = 0.03;
 
 }  // namespace
 
-Vec3 LightPass::on_pixel(std::uint32_t pixel) const {
-    const auto less = [](const Splat& s, std::uint32_t p) { return s.pixel < p; };
-    Vec3 sum(0);
-    for (auto at = std::lower_bound(splats_.begin(), splats_.end(), pixel, less); at != splats_.end() && at->pixel == pixel; ++at) sum += at->light;
-    return sum;
-}
-
 struct LightPasses::Kept {
     std::mutex mutex;
     std::map<int, std::shared_ptr<const LightPass>> passes;
@@ -92,8 +85,9 @@ std::shared_ptr<const LightPass> LightPasses::made(int index) const {
         photons.insert(photons.end(), part.photons.begin(), part.photons.end());
         splats.insert(splats.end(), part.splats.begin(), part.splats.end());
     }
-    std::stable_sort(splats.begin(), splats.end(), [](const Splat& a, const Splat& b) { return a.pixel < b.pixel; });
-    return std::make_shared<LightPass>(PhotonMap(std::move(photons), radius(index)), std::move(splats), draws_ == Draws::kOntoPicture);
+    Splats drawn = picture_of(stage_.options);
+    drawn.take(std::move(splats));
+    return std::make_shared<LightPass>(PhotonMap(std::move(photons), radius(index)), std::move(drawn), draws_ == Draws::kOntoPicture);
 }
 
 }  // namespace whittle

@@ -10,32 +10,26 @@
 #include <vector>
 
 #include "tracer/light/photon_map.h"
+#include "tracer/light/splats.h"
 #include "tracer/light/stage.h"
 
 namespace whittle {
 
-// Light that one ray from a lamp draws on pixel `pixel` of the film.
-struct Splat {
-    std::uint32_t pixel = 0;
-    Vec3 light{0};
-};
-
 class LightPass {
 public:
-    LightPass(PhotonMap map, std::vector<Splat> splats, bool on_picture) : map_(std::move(map)), splats_(std::move(splats)), on_picture_(on_picture) {}
+    LightPass(PhotonMap map, Splats splats, bool on_picture) : map_(std::move(map)), splats_(std::move(splats)), on_picture_(on_picture) {}
 
     // Does it draw onto the picture? Else photons stand for what the eye sees at once too.
     bool draws_on_picture() const { return on_picture_; }
     // Caustics on a border towards the viewer of `bsdf`.
     Vec3 gathered(const Border& border, const Bsdf& bsdf) const { return map_.radiance(border.point, border.normal, bsdf); }
     // What the rays draw on a pixel; to be added to the sample of this number, already weighed by the filter.
-    Vec3 on_pixel(std::uint32_t pixel) const;
+    Vec3 on_pixel(int x, int y) const { return splats_.on_pixel(x, y); }
     const PhotonMap& map() const { return map_; }
-    const std::vector<Splat>& splats() const { return splats_; }
 
 private:
     PhotonMap map_;
-    std::vector<Splat> splats_;  // by pixel, then by ray
+    Splats splats_;
     bool on_picture_;
 };
 

@@ -13,9 +13,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kSureBounces = 4;
 constexpr int kMostCovers = 256;
 
-// Lobes of vertices that no beam has.
-constexpr std::uint32_t kFilterVertex = 1U << 16;
-
 // Rays of light draw other numbers than pixels do.
 constexpr std::uint64_t kLightSeed = 0x6c69676874ULL;
 
@@ -25,35 +22,15 @@ double time_of_pass(const Stage& stage, int index) {
     return stage.needs.shutter && stage.options.samples > 1 ? sobol::unit(sobol::scrambled(sobol::reversed(static_cast<std::uint32_t>(index)), sobol::hash(static_cast<std::uint32_t>(stage.options.seed)))) : 0;
 }
 
-LightWalker::LightWalker(const Stage& stage, int index, int rays, bool on_picture)
-    : stage_(stage), index_(index), rays_(rays), on_picture_(on_picture), direct_(stage, scratch_, counters_) {
-    constexpr int kSteps = 512;
-    const FilterKind filter = stage.options.filter;
-    const double radius = filter_radius(filter);
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) sum += std::abs(filter_profile(filter, radius * ((i + 0.5) / kSteps)));
-    filter_area_ = 2 * radius * sum / kSteps;
-}
+Splats picture_of(const RenderOptions& o) { return {SplatFilter(o.filter, o.samples == 1), o.width, o.height}; }
 
-// Camera samples of a pixel are drawn with the density |f| around it and weigh sign(f); a place weighs f / integral of |f| in each pixel near, of which one is
-// drawn by |f|.
-LightWalker::Pick LightWalker::pick(double at, double u) const {
-    if (stage_.options.samples == 1) return {std::floor(at), 1};
-    const FilterKind filter = stage_.options.filter;
-    const double radius = filter_radius(filter), first = std::ceil(at - 0.5 - radius), last = std::floor(at - 0.5 + radius);
-    double all = 0;
-    for (double x = first; x <= last; ++x) all += std::abs(filter_profile(filter, at - x - 0.5));
-    double below = 0;
-    for (double x = first; x <= last; ++x) {
-        const double f = filter_profile(filter, at - x - 0.5);
-        below += std::abs(f);
-        if (f != 0 && u * all < below) return {x, std::copysign(all, f) / filter_area_};
-    }
-    return {};
-}
+LightWalker::LightWalker(const Stage& stage, int index, int rays, bool on_picture)
+    : stage_(stage), index_(index), rays_(rays), on_picture_(on_picture), picture_(picture_of(stage.options)), direct_(stage, scratch_, counters_) {}
 
 void LightWalker::walk(int number, LightLeft& left) {
-    const Sampler sampler(stage_.options.seed ^ kLightSeed, index_, 0, static_cast<std::uint32_t>(number));
+    // The rays of all passes, one after the other, are one sequence: those of a pass are spread over the lamp and what it shines at, and so are all.
+    const std::uint64_t place = static_cast<std::uint64_t>(index_) * static_cast<std::uint64_t>(rays_) + static_cast<std::uint64_t>(number);
+    const Sampler sampler(stage_.options.seed ^ kLightSeed, static_cast<int>(place >> 32), 0, static_cast<std::uint32_t>(place));
     const Emitted e = stage_.emission.emit(sampler.pair(Draw::kPixel).x, sampler.pair(Draw::kLight), sampler.pair(Draw::kSky));
     Beam beam;
     beam.ray.origin = e.origin;
@@ -125,22 +102,19 @@ void LightWalker::draw(const Beam& beam, const Border& border, const Sampler& sa
     if (!seen) return;
     const RenderOptions& o = stage_.options;
     const double half = o.height / 2.0;
-    const Vec2 u = sampler.pair(Draw::kLobe, kFilterVertex);
-    const Pick column = pick(o.width / 2.0 + seen->x * half, u.x), row = pick(half - seen->y * half, u.y);
-    const double px = column.pixel, py = row.pixel, weight = column.weight * row.weight;
-    if (weight == 0) return;
-    if (!(px >= 0 && px < o.width && py >= 0 && py < o.height)) return;
+    const Vec2 at(o.width / 2.0 + seen->x * half, half - seen->y * half);
+    if (!picture_.shows(at)) return;
     const Vec3 to = seen->eye - border.point;
     const double distance = glm::length(to), cosine = glm::dot(to, border.normal) / distance;
     if (!(cosine > 0) || !std::isfinite(cosine)) return;
     const Bsdf bsdf(*border.surface, border.normal, to / distance);
     // A unit of the picture's plane holds (height / 2)^2 pixels.
     const Vec3 flux = beam.power * beam.hues.color() * bsdf.value(-beam.ray.direction, -glm::dot(beam.ray.direction, border.normal));
-    Vec3 light = flux * (cosine * seen->radiance_per_intensity * half * half * weight);
+    Vec3 light = flux * (cosine * seen->radiance_per_intensity * half * half);
     if (border.before) light /= border.before->ior * border.before->ior;
     light *= direct_.transmittance(border, to / distance, distance, beam.ray.time, ClearShadows::kBlock);
     if (light == Vec3(0) || !std::isfinite(light.x + light.y + light.z)) return;
-    left.splats.push_back({static_cast<std::uint32_t>(py) * static_cast<std::uint32_t>(o.width) + static_cast<std::uint32_t>(px), light});
+    left.splats.push_back({at, light});
 }
 
 }  // namespace whittle

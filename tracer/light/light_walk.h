@@ -13,6 +13,9 @@ struct LightLeft {
     std::vector<Splat> splats;
 };
 
+// A picture of these options that nothing is drawn on yet.
+Splats picture_of(const RenderOptions& options);
+
 // The time within the shutter of light pass `index`: the same for its photons and for all eyes that come by.
 double time_of_pass(const Stage& stage, int index);
 
@@ -34,11 +37,6 @@ private:
         int covers = 0;
         bool focused = false;  // met a mirror or clear matter
     };
-    // A pixel of the row or column that a place at `at` belongs to, by lot, and what it weighs there.
-    struct Pick {
-        double pixel = 0, weight = 0;
-    };
-    Pick pick(double at, double u) const;
     bool step(Beam& beam, const Sampler& sampler, LightLeft& left);
     bool scatter(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     void leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
@@ -47,7 +45,7 @@ private:
     const Stage& stage_;
     int index_, rays_;
     bool on_picture_;
-    double filter_area_ = 1;  // integral of |profile|
+    Splats picture_;  // empty
     Scratch scratch_;
     RenderCounters counters_;
     DirectLight direct_;
