@@ -1,4 +1,4 @@
-// canonicalise_hull.cpp — hull, minkowski, projection, fill, roof: exact where there is a form for it (csg/solid), else by facets of the operands.
+// canonicalise_hull.cpp — hull, projection, fill, roof: exact where there is a form for it (csg/solid), else by facets of the operands.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,6 @@
 namespace whittle {
 namespace {
 
-// Pieces of a Minkowski sum beyond which it would take hours to combine them.
-constexpr std::size_t kMostPieces = 20000;
 // Parts of a convex body beyond which each ray would take longer than through a mesh.
 constexpr std::size_t kMostParts = 2000;
 // Chord error of a curved floor under a roof, of its size: that of meshes, since every chord costs the roof a wedge on every ray. A crescent's roof has
@@ -146,63 +144,6 @@ std::optional<Use> Canonicaliser::convex_hull(const std::vector<Use>& operands) 
     parts = without_hidden_parts(std::move(parts));
     if (parts.size() > kMostParts) return std::nullopt;
     return use_of(builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(std::move(parts))}));
-}
-
-bool Canonicaliser::is_convex(const Use& use) {
-    if (use.motion != 0) return false;
-    if (convex_.count(use.node) != 0) return true;
-    if (const auto* c = std::get_if<Combination>(&builder_.node(use.node)); c && c->operands.size() == 1) {
-        const Use inner = c->operands[0];
-        return is_convex(inner);
-    }
-    return is_known_convex(builder_, use);
-}
-
-std::optional<Use> Canonicaliser::convex_sum(const Use& a, const Use& b) {
-    if (!is_convex(a) || !is_convex(b)) return std::nullopt;
-    const auto p = convex_parts_of(builder_.so_far(), a), q = convex_parts_of(builder_.so_far(), b);
-    if (!p || !q || p->size() * q->size() > kMostParts) return std::nullopt;
-    Use sum = use_of(builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(without_hidden_parts(sums_of(*p, *q)))}));
-    convex_.insert(sum.node);
-    return sum;
-}
-
-Result<Use> Canonicaliser::sum_of(const Use& a, const Use& b) {
-    if (const auto exact = exact_minkowski(builder_, a, b)) return *exact;
-    if (!builder_.is_2d(a.node))
-        if (const auto convex = convex_sum(a, b)) return *convex;
-    Use out;
-    if (builder_.is_2d(a.node)) {
-        auto sum = flat_minkowski(outline_of(a), outline_of(b), kMostPieces);
-        if (!sum) return fail(Fault::kScene, "too many parts");
-        if (!sum->empty()) out.node = builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(*sum))});
-        return out;
-    }
-    const auto left = facets_of_use("minkowski", a), right = facets_of_use("minkowski", b);
-    if (!left) return tl::unexpected(left.error());
-    if (!right) return tl::unexpected(right.error());
-    auto parts = minkowski_parts(**left, **right, kMostPieces);
-    if (!parts) return fail(Fault::kScene, "an operand is flat, or the sum would have too many parts");
-    std::vector<Use> uses;
-    for (FacetList& part : *parts) {
-        Use& use = uses.emplace_back();
-        use.node = builder_.shape(shape::Polyhedron{std::make_shared<const FacetList>(std::move(part))});
-    }
-    out.node = builder_.combine(SetOp::kUnion, std::move(uses));
-    return out;
-}
-
-Made Canonicaliser::summed(SceneNodeId id) {
-    const SceneNode& node = scene_.nodes[id];
-    const Operands operands = bare_operands(id);
-    if (operands.uses.empty()) return {};
-    Use sum = operands.uses[0];
-    for (std::size_t i = 1; i < operands.uses.size(); ++i) {
-        const auto next = sum_of(sum, operands.uses[i]);
-        if (!next) return left_out(node.place, "minkowski() cannot be made, left out", next.error().message);
-        sum = *next;
-    }
-    return owned(node, sum);
 }
 
 Made Canonicaliser::projected(SceneNodeId id, const scene::Projection& what) {

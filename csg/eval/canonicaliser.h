@@ -91,7 +91,19 @@ private:
     Use grown_outline(const Use& flat, double delta);
     Use offset_by_chords(const Use& flat, double delta, Join join, int fragments);
 
-    // Hull, minkowski, projection, fill, roof (canonicalise_hull.cpp).
+    // Minkowski sums (canonicalise_sum.cpp).
+    Result<Use> sum_of(const Use& a, const Use& b);
+    Result<Use> flat_sum(const Use& a, const Use& b);
+    Result<Use> sum_of_each(const std::vector<Use>& parts, const Use& other);
+    std::optional<std::vector<Use>> parts_of_union(const Use& use);
+    std::optional<Use> rounded(const Use& a, const Use& ball);
+    std::optional<Use> sum_of_covers(const Use& a, const Use& b);
+    enum class Pieces { kTrue, kChords };
+    std::optional<Use> body_of(const Use& a, const Use& b, double tolerance, Pieces pieces);
+    std::optional<Use> sum_of_facets(const Use& convex, const Use& other);
+    Result<Use> sum_of_lists(const Use& a, const Use& b);
+
+    // Hull, projection, fill, roof (canonicalise_hull.cpp).
     Made hulled(SceneNodeId id);
     Made summed(SceneNodeId id);
     Made projected(SceneNodeId id, const scene::Projection& what);
@@ -100,7 +112,6 @@ private:
     Made owned(const SceneNode& node, Use use);
     Made owned_polygon(const SceneNode& node, Contours contours);
     Operands bare_operands(SceneNodeId id);
-    Result<Use> sum_of(const Use& a, const Use& b);
     std::optional<Use> convex_sum(const Use& a, const Use& b);
     std::optional<Use> convex_hull(const std::vector<Use>& operands);
     bool is_convex(const Use& use);
