@@ -6,10 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/modeler/cli/run_program.h"
-
-using namespace whittle;
-using namespace whittle::test;
+#include "run_program.h"
 
 namespace {
 
@@ -64,7 +61,7 @@ TEST_CASE("a ring and a ball add up to a thicker ring") {
     CHECK(volume == Approx(2 * kPi * kPi * 10 * 9).epsilon(1e-4));
 }
 
-TEST_CASE("a ring and an ellipsoid, which grew beyond all memory once, are met by rays and meshed") {
+TEST_CASE("a ring and an ellipsoid, which grew beyond all memory once, are met by rays") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("part.scad", "minkowski() { torus(r1 = 10, r2 = 3); ellipsoid(r = [1, 2, 3]); }\n");
     const Outcome out = run_whittle({"spans", scene, "--ray=-30,0,0,1,0,0", "--json", "--limit-memory", "1500"});
