@@ -1,8 +1,10 @@
 // What the reconstruction filters make of known pictures: every pixel against the filter's integral.
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "scenes.h"
+#include "tracer/light/splats.h"
 
 using namespace whittle;
 using namespace whittle::test;
@@ -111,4 +113,50 @@ TEST_CASE("a zone plate is the integral of the filter, also where its rings are 
         return ring < 2 * kRings - 1 && static_cast<int>(ring) % 2 == 0;
     };
     for (const FilterKind filter : {FilterKind::kBox, FilterKind::kGaussian, FilterKind::kMitchell}) CHECK(worst_distance(seen_from_afar(solid, filter), filter, covered) < bound(filter));
+}
+
+TEST_CASE("places drawn on a picture weigh in each pixel near what samples there would, and are all found") {
+    constexpr int kWidth = 9, kHeight = 7;
+    for (const auto& [kind, alone] : {std::pair(FilterKind::kBox, false), {FilterKind::kGaussian, false}, {FilterKind::kMitchell, false}, {FilterKind::kMitchell, true}}) {
+        const SplatFilter filter(kind, alone);
+        double integral = 0, magnitude = 0;
+        constexpr int kSteps = 4000;
+        for (int i = 0; i < kSteps; ++i) {
+            const double w = filter.weight(filter.radius() * (2 * (i + 0.5) / kSteps - 1)) * 2 * filter.radius() / kSteps;
+            integral += w;
+            magnitude += std::abs(w);
+        }
+        CHECK(magnitude == Approx(1).epsilon(1e-4));
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> column(-3, kWidth + 3), row(-3, kHeight + 3), bright(0, 1);
+        const Splats empty(filter, kWidth, kHeight);
+        std::vector<Splat> shown;
+        double inner = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const Splat s{{column(random), row(random)}, Vec3(bright(random), 1, 0)};
+            const double reach = filter.radius() - 0.5;
+            CHECK(empty.shows(s.at) == (s.at.x >= -reach && s.at.x < kWidth + reach && s.at.y >= -reach && s.at.y < kHeight + reach));
+            if (!empty.shows(s.at)) continue;
+            shown.push_back(s);
+            inner += s.at.x >= 0 && s.at.x < kWidth && s.at.y >= 0 && s.at.y < kHeight ? 1 : 0;
+        }
+        Splats splats(filter, kWidth, kHeight);
+        splats.take(shown);
+        double all = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                Vec3 sum(0);
+                for (const Splat& s : shown) {
+                    const Vec2 off = s.at - Vec2(x + 0.5, y + 0.5);
+                    if (off.x >= -filter.radius() && off.x < filter.radius() && off.y >= -filter.radius() && off.y < filter.radius())
+                        sum += s.light * (filter.weight(off.x) * filter.weight(off.y));
+                }
+                const Vec3 found = splats.on_pixel(x, y);
+                CHECK(found.x == Approx(sum.x).epsilon(1e-9));
+                CHECK(found.y == Approx(sum.y).epsilon(1e-9));
+                all += found.y;
+            }
+        // What falls on the picture is what its pixels get; a filter with lobes below zero keeps its share of that.
+        CHECK(all == Approx(inner * integral * integral).epsilon(0.05));
+    }
 }
