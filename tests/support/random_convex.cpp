@@ -26,6 +26,8 @@ ConvexParts of_balls(Dice& dice) {
         parts.push_back({{short_offset(dice), short_offset(dice), short_offset(dice)}, {}});
         if (r > 0) parts.back().images.push_back(ball(r));
     }
+    // Corners alone may lie in one plane that no tried direction finds thin.
+    if (std::all_of(parts.begin(), parts.end(), [](const ConvexPart& p) { return p.images.empty(); })) parts[0].images.push_back(ball(common));
     return parts;
 }
 
