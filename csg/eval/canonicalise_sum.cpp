@@ -178,10 +178,10 @@ Result<Use> Canonicaliser::sum_of(const Use& a, const Use& b) {
     }
     if (builder_.is_2d(a.node)) return flat_sum(a, b);
     if (const auto convex = convex_sum(a, b)) return *convex;
-    if (!is_convex(a))
-        if (const auto parts = parts_of_union(a)) return sum_of_each(*parts, b);
-    if (!is_convex(b))
-        if (const auto parts = parts_of_union(b)) return sum_of_each(*parts, a);
+    const auto left = is_convex(a) ? std::nullopt : parts_of_union(a), right = is_convex(b) ? std::nullopt : parts_of_union(b);
+    if ((left ? left->size() : 1) * (right ? right->size() : 1) > kMostPieces) return fail(Fault::kScene, "the sum would have too many parts");
+    if (left) return sum_of_each(*left, b);
+    if (right) return sum_of_each(*right, a);
     for (const auto& [ball, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
         if (const auto sum = rounded(*other, *ball)) return *sum;
     if (const auto sum = sum_of_covers(a, b)) return *sum;

@@ -77,3 +77,12 @@ TEST_CASE("two rings that stand across each other have a sum") {
     CHECK(out.code == 0);
     CHECK(number_after(out.out, "\"t\":") == Approx(11).margin(0.05));
 }
+
+TEST_CASE("two unions whose parts would make too many sums are refused at once") {
+    const TemporaryFolder folder;
+    const std::string many = "for (i = [0:199]) translate([3 * i, i * i, 0]) ";
+    const std::string scene = folder.file("part.scad", "minkowski() { union() { " + many + "cube(1); } union() { " + many + "sphere(1); } }\n");
+    const Outcome out = run_whittle({"spans", scene, "--ray=-30,0,0,1,0,0", "--limit-time", "60"});
+    CHECK(out.code == 1);
+    CHECK(contains(out.err, "too many parts"));
+}
