@@ -21,6 +21,7 @@ constexpr PassInfo kPasses[] = {
     {"windows", "the far parts of a tile after the near ones"},
     {"masks", "the packets of a tile that can meet a part"},
     {"cells", "deep trees divided into the cells of an octree"},
+    {"coarse", "first hits of a camera's tile found in float, where float can tell"},
     // tracer/light
     {"packets", "the camera and shadow rays of a tile met together"},
     {"shadows", "no shadow rays to lamps that give no light"},

@@ -24,8 +24,8 @@ struct EngineOptions {
 };
 
 // The passes of this folder that only save work, in the order of csg/base/passes.h, which says what each saves.
-enum class EnginePass : std::uint8_t { kBoxes, kHierarchy, kOcclusion, kFirst, kAny, kFilter, kFrustum, kWindows, kMasks, kCells };
-inline constexpr std::size_t kEnginePasses = 10;
+enum class EnginePass : std::uint8_t { kBoxes, kHierarchy, kOcclusion, kFirst, kAny, kFilter, kFrustum, kWindows, kMasks, kCells, kCoarse };
+inline constexpr std::size_t kEnginePasses = 11;
 const char* name_of(EnginePass pass);
 
 // Work done by one thread; add up with +=. Names follow docs/command-line (--stats).
@@ -39,7 +39,8 @@ struct EngineCounters {
     std::uint64_t packet_deferred = 0;  // taken into packets, but answered alone
     std::uint64_t folded = 0;           // leaves folded to tiles
     // By pass: subtrees left out (boxes, frustum, windows), parts of wide groups not asked (hierarchy), parts and subtrees behind a hit (occlusion), rays
-    // (first, any), comparisons that double decided (filter), packets that did not meet a part (masks), leaves of which a cell knows (cells).
+    // (first, any), comparisons that double decided (filter), packets that did not meet a part (masks), leaves of which a cell knows (cells), rays whose crossing float
+    // found (coarse).
     std::array<std::uint64_t, kEnginePasses> skipped{};
     std::uint64_t& skipped_by(EnginePass pass) { return skipped[static_cast<std::size_t>(pass)]; }
     EngineCounters& operator+=(const EngineCounters& o);

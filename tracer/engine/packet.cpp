@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tracer/engine/gradient.h"
+#include "tracer/engine/packet_coarse.h"
 #include "tracer/engine/rows.h"
 #include "tracer/engine/scratch.h"
 #include "tracer/engine/space.h"
@@ -27,6 +28,7 @@ namespace whittle {
 
 HWY_EXPORT(tile_extremes);
 HWY_EXPORT(tile_hits);
+HWY_EXPORT(finish_coarse_hits);
 
 namespace {
 
@@ -40,7 +42,7 @@ std::size_t padded_to_lanes(std::size_t count) { return (count + kMostLanes - 1)
 // The last ray stands for those that fill the packets up.
 void fill_up(TileMemory& m, std::size_t count) {
     for (std::size_t k = count; k < padded_to_lanes(count); ++k)
-        for (std::size_t i = 0; i < 3; ++i) m.o[i][k] = m.o[i][count - 1], m.d[i][k] = m.d[i][count - 1];
+        for (std::size_t i = 0; i < 3; ++i) m.own_o[i][k] = m.own_o[i][count - 1], m.own_d[i][k] = m.own_d[i][count - 1];
 }
 
 // Of the rays last loaded. False: some coordinate is no number, or not finite.
@@ -51,18 +53,27 @@ bool measure(const TileMemory& m, std::size_t count, TileExtremes& extremes) {
 void load_rays(const Ray* rays, std::size_t count, TileMemory& m) {
     for (std::size_t k = 0; k < count; ++k)
         for (std::size_t i = 0; i < 3; ++i) {
-            m.o[i][k] = rays[k].origin[static_cast<int>(i)];
-            m.d[i][k] = rays[k].direction[static_cast<int>(i)];
+            m.own_o[i][k] = rays[k].origin[static_cast<int>(i)];
+            m.own_d[i][k] = rays[k].direction[static_cast<int>(i)];
         }
     fill_up(m, count);
+    m.use_own_rays();
 }
 
+// Whole vectors need no copy.
+bool stand_in_place(std::size_t count) { return count % kMostLanes == 0; }
+
 void load_rows(const RayRows& rays, int first, std::size_t count, TileMemory& m) {
+    if (stand_in_place(count)) {
+        for (std::size_t i = 0; i < 3; ++i) m.o[i] = rays.origin[i] + first, m.d[i] = rays.direction[i] + first;
+        return;
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-        std::copy_n(rays.origin[i] + first, count, m.o[i].begin());
-        std::copy_n(rays.direction[i] + first, count, m.d[i].begin());
+        std::copy_n(rays.origin[i] + first, count, m.own_o[i].begin());
+        std::copy_n(rays.direction[i] + first, count, m.own_d[i].begin());
     }
     fill_up(m, count);
+    m.use_own_rays();
 }
 
 void take_work(TileMemory& m, EngineCounters& counters) {
@@ -124,7 +135,10 @@ struct OneByOne {
     Hit* hits;
     bool* found;
 
-    void load(int first, std::size_t count, TileMemory& m) const { load_rays(rays + first, count, m); }
+    void load(int first, std::size_t count, TileMemory& m) const {
+        load_rays(rays + first, count, m);
+        m.use_own_ends();
+    }
     void ask_alone(const Program& program, int i, double t_max, Scratch& scratch) const { found[i] = first_hit(program, rays[i], t_max, scratch, hits[i]); }
     // Of the tile's rays, which stand from `first` on.
     void take(const Program& program, const TileMemory& m, int first, int count, double t_max, Scratch& scratch) const {
@@ -150,7 +164,13 @@ struct InRows {
     const RayRows& rays;
     const HitRows& hits;
 
-    void load(int first, std::size_t count, TileMemory& m) const { load_rows(rays, first, count, m); }
+    void load(int first, std::size_t count, TileMemory& m) const {
+        load_rows(rays, first, count, m);
+        m.use_own_ends();
+        if (!stand_in_place(count)) return;
+        m.error = hits.t_error + first;
+        for (std::size_t axis = 0; axis < 3; ++axis) m.normal[axis] = hits.normal[axis] + first;
+    }
     void ask_alone(const Program& program, int i, double t_max, Scratch& scratch) const {
         Hit hit;
         const bool found = first_hit(program, rays.ray(i), t_max, scratch, hit);
@@ -163,8 +183,10 @@ struct InRows {
     void take(const Program& program, const TileMemory& m, int first, int count, double t_max, Scratch& scratch) const {
         const auto n = static_cast<std::size_t>(count);
         for (std::size_t k = 0; k < n; ++k) hits.t[static_cast<std::size_t>(first) + k] = m.t[k] <= t_max ? std::max(m.t[k], 0.0) : HUGE_VAL;
-        std::copy_n(m.error.begin(), n, hits.t_error + first);
-        for (std::size_t axis = 0; axis < 3; ++axis) std::copy_n(m.normal[axis].begin(), n, hits.normal[axis] + first);
+        if (!stand_in_place(n)) {
+            std::copy_n(m.error, n, hits.t_error + first);
+            for (std::size_t axis = 0; axis < 3; ++axis) std::copy_n(m.normal[axis], n, hits.normal[axis] + first);
+        }
         for (std::size_t k = 0; k < n; ++k) hits.surface[static_cast<std::size_t>(first) + k] = static_cast<ClassId>(m.id[k] >> 1);
         for (std::size_t k = 0; k < n; ++k) hits.use[static_cast<std::size_t>(first) + k] = m.use[k] < HUGE_VAL ? static_cast<std::uint32_t>(m.use[k]) : 0;
         std::uint64_t alone = 0;
@@ -191,7 +213,9 @@ void hits_alone(const Program& program, const Io& io, int first, int count, doub
 template <class Io>
 void hits_of_packets(const Program& program, const TileBounds& bounds, bool shared, const Io& io, int first, int count, double t_max, Scratch& scratch) {
     TileMemory& m = scratch.impl->tile;
-    HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, static_cast<std::size_t>(count), m, bounds.coherent, shared);
+    const auto n = static_cast<std::size_t>(count);
+    if (shared || !hits_in_float(program, bounds, n, m, scratch.counters))
+        HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
     take_work(m, scratch.counters);
     io.take(program, m, first, count, t_max, scratch);
 }
@@ -319,6 +343,8 @@ void any_of_first(const Program& program, const Ray* rays, const double* t_max, 
 }
 
 }  // namespace
+
+void finish_hits_in_float(const Program& program, std::size_t rays, TileMemory& memory) { HWY_DYNAMIC_DISPATCH(finish_coarse_hits)(program, rays, memory); }
 
 void any_hits(const Program& program, const Ray* rays, const double* t_max, int count, Scratch& scratch, bool* blocked) {
     if (program.empty || program.everything) {

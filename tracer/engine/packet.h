@@ -8,7 +8,8 @@
 
 namespace whittle {
 
-inline constexpr std::size_t kMostLanes = 16;
+inline constexpr std::size_t kMostLanes = 16;        // of doubles
+inline constexpr std::size_t kMostCoarseLanes = 32;  // of floats
 
 // A cache line of raw memory: what holds vectors, whose type depends on the instruction set.
 struct alignas(64) RawLine {
@@ -38,15 +39,38 @@ struct PacketMask {
     }
 };
 
-struct TileMemory {
-    using Row = std::array<double, kTileRays>;
-    alignas(64) std::array<Row, 3> o, d;
-    alignas(64) Row t, error;                            // the nearest event so far; t is +inf where there is none. Its bound, in the end
-    alignas(64) std::array<std::uint64_t, kTileRays> id;
-    alignas(64) Row use;                                 // that its border shows; +inf where unknown yet
-    alignas(64) std::array<Row, 3> normal;
+// A number a ray of a tile.
+template <class T>
+struct alignas(64) TileRow : std::array<T, kTileRays> {};
+
+// The nearest events so far, by ray.
+template <class Real, class Id>
+struct NearRows {
+    TileRow<Real> t;  // +inf where there is none
+    TileRow<Id> id;
+    TileRow<Real> use;  // that the border shows; +inf where unknown yet
+};
+
+struct TileMemory : NearRows<double, std::uint64_t> {
+    // The rays, and what is told of their hits in the end besides t: rows of the caller's, or those below.
+    std::array<const double*, 3> o, d;
+    double* error;  // the bound of t
+    std::array<double*, 3> normal;
+    std::array<TileRow<double>, 3> own_o, own_d, own_normal;
+    TileRow<double> own_error;
+
+    void use_own_rays() {
+        for (std::size_t i = 0; i < 3; ++i) o[i] = own_o[i].data(), d[i] = own_d[i].data();
+    }
+    void use_own_ends() {
+        error = own_error.data();
+        for (std::size_t i = 0; i < 3; ++i) normal[i] = own_normal[i].data();
+    }
+    NearRows<float, std::uint32_t> coarse;
+    std::array<TileRow<float>, 3> coarse_d, coarse_off;  // directions, and how far they are off the middle of the tile's
+    std::uint32_t coarse_failures = 0, coarse_pause = 0;  // tiles that float left open, in a row, and tiles yet to be met without it
     bool any = false;                                     // any hit before t is wanted, which becomes -inf where there is one
-    alignas(64) std::array<std::uint64_t, kTileRays> departed;  // for any hits: the event left (class << 1 | crossing), or ~0
+    TileRow<std::uint64_t> departed;  // for any hits: the event left (class << 1 | crossing), or ~0
     std::array<bool, kTileRays> deferred;
     TileTree tree, labels;
     bool labels_built = false;  // `labels` is of the octree's cell last met

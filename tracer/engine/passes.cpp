@@ -6,7 +6,8 @@ namespace whittle {
 
 namespace {
 
-constexpr std::array<const char*, kEnginePasses> kNames{"boxes", "hierarchy", "occlusion", "first", "any", "filter", "frustum", "windows", "masks", "cells"};
+constexpr std::array<const char*, kEnginePasses> kNames{"boxes", "hierarchy", "occlusion", "first", "any", "filter", "frustum", "windows", "masks", "cells",
+                                                         "coarse"};
 
 }  // namespace
 

@@ -118,6 +118,9 @@ void local_box(const Program& program, const Leaf& leaf, FrameId frame, std::arr
     }
 }
 
+// A cell of axis planes of the root frame alone, which its own box tells as much of.
+bool is_box(const Program& program, const Leaf& leaf) { return leaf.slabs != Leaf::kNoSlabs && program.cell_slabs[leaf.slabs].planes == leaf.count; }
+
 // A turned cell's own box is tighter than its box in the root frame.
 bool meets_turned(const Program& program, const TileBounds& bounds, const Leaf& leaf, double& near, double& far) {
     if (leaf.kind != FormulaKind::kCell || leaf.count == 0) return true;
@@ -152,6 +155,7 @@ TileScope tile_scope(const TileExtremes& extremes, const Bounds& box) {
 void TileTree::begin(const Program& program, const TileScope& scope) {
     scope_ = scope;
     surfaces.clear();
+    coarse.clear();
     error_ = 0;
     if (folded_.size() != program.leaves.size() || ++stamp_ == 0) {
         folded_.assign(program.leaves.size(), {});
@@ -169,6 +173,7 @@ void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref, 
     shared_ = shared;
     if (!shared) {
         surfaces.clear();
+        coarse.clear();
         error_ = 0;
     }
     root = add(program, bounds, ref);
@@ -205,18 +210,26 @@ void TileTree::build_labels(const Program& program, const TileBounds& bounds, Re
 TileCell TileTree::cell_of(const Program& program, std::uint32_t leaf, bool& met, double& near, double& far) {
     TileCell cell;
     if (!shared_) {
-        met = fold_cell(program, scope_, program.leaves[leaf], surfaces, cell, error_, near, far);
+        met = fold_cell(program, scope_, program.leaves[leaf], surfaces, coarse, cell, error_, near, far);
         return cell;
     }
     Folded& f = folded_[leaf];
     if (f.stamp != stamp_) {
         f = {stamp_, {}, -HUGE_VAL, HUGE_VAL, false};
-        f.met = fold_cell(program, scope_, program.leaves[leaf], surfaces, f.cell, error_, f.near, f.far);
+        f.met = fold_cell(program, scope_, program.leaves[leaf], surfaces, coarse, f.cell, error_, f.near, f.far);
     }
     met = f.met;
     near = std::max(near, f.near);
     far = std::min(far, f.far);
     return f.cell;
+}
+
+void TileTree::fold(const Program& program, std::uint32_t leaf, TileCell& cell) {
+    bool met = false;
+    double near = -HUGE_VAL, far = HUGE_VAL;
+    cell = cell_of(program, leaf, met, near, far);
+    cell.missed = !met;
+    room = std::max(room, 2.5 * error_);
 }
 
 bool TileTree::beyond(double near) {
@@ -243,7 +256,11 @@ std::uint32_t TileTree::add_leaf(const Program& program, const TileBounds& bound
     bool met = meets(bounds, widened(box.lo), widened(box.hi), n.near, n.far) && meets_turned(program, bounds, leaf, n.near, n.far);
     if (met && beyond(n.near)) met = false;
     work.folded += met ? 1 : 0;
-    const TileCell cell = met ? cell_of(program, index, met, n.near, n.far) : TileCell();
+    TileCell cell;
+    // Most cells of a tile lie behind what its rays meet, and each may be the one by which all events of the tile have to be further apart. In double that
+    // is no matter, and what the tile misses is better left out beforehand.
+    cell.folded = leaf.kind != FormulaKind::kCell || !(scope_.coarse || is_box(program, leaf));
+    if (cell.folded) cell = cell_of(program, index, met, n.near, n.far);
     if (!met || beyond(n.near)) return leaf.negated ? kTrue : kFalse;
     n.negated = n.outside = leaf.negated;
     n.holds = leaf.fills;

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "tracer/engine/tile_cell.h"
+#include "tracer/engine/coarse_view.h"
 
 namespace whittle {
 
@@ -86,6 +86,7 @@ struct TileTree {
     std::uint32_t leaf_count = 0;
     std::vector<TileCell> cells;         // by slot
     std::vector<TileSurface> surfaces;
+    std::vector<CoarseSurface> coarse;
     double room = 0;                     // events further apart than this are in this order
     std::uint32_t holders = 0;           // leaves of the tree that are not subtracted,
     std::uint32_t holder_use = 0;        // and the use of the last
@@ -102,6 +103,13 @@ struct TileTree {
     // Folds nothing away that may hold a place. For PacketWalker::holder() alone.
     void build_labels(const Program& program, const TileBounds& bounds, Ref ref);
 
+    // The cell of a leaf of the tree, folded by now; `room` may have grown.
+    const TileCell& cell(const Program& program, const TileNode& leaf) {
+        TileCell& c = cells[leaf.slot];
+        if (!c.folded) fold(program, leaf.leaf, c);
+        return c;
+    }
+
     // A leaf of the tree and the node it is a child of; only where some class's label depends on which leaves meet.
     struct Placed {
         std::uint32_t leaf = 0, parent = 0;
@@ -115,6 +123,7 @@ private:
     std::uint32_t add(const Program& program, const TileBounds& bounds, Ref ref);
     std::uint32_t add_leaf(const Program& program, const TileBounds& bounds, std::uint32_t leaf);
     std::uint32_t add_group(const Program& program, const TileBounds& bounds, const Group& g);
+    void fold(const Program& program, std::uint32_t leaf, TileCell& cell);
     TileCell cell_of(const Program& program, std::uint32_t leaf, bool& met, double& near, double& far);
 
     // A cell folded once for the rays of a scope.

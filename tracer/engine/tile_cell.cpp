@@ -4,18 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/engine/coarse_view.h"
+
 namespace whittle {
 
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double u = kFineUnit;
 constexpr double kRoom = 1 + 0x1p-40;  // over the roundings of the bounds themselves
 // Lanes that graze a ball or cylinder by less than this cosine, or a plane by less than this share of the tile's steepest slope, are undecided: a few in a
 // million, for bounds that are a few hundred times those of the steep ones and still far below any distance between surfaces.
+struct Thresholds {
+    double unit, least_slope;
+    double most_error;        // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
+    double most_round_error;  // rays that have little in common: all grazing angles at once, from all distances
+};
+constexpr Thresholds kFine{kFineUnit, 0x1p-9, 0x1p-34, 0x1p-24}, kCoarse{kCoarseUnit, 0x1p-6, 0x1p-15, 0x1p-12};
 constexpr double kLeastCosine = 0x1p-8;
-constexpr double kLeastSlope = 0x1p-9;
-constexpr double kMostError = 0x1p-34;      // of the horizon: lanes whose crossing is worse are undecided, rather than every event of the tile loose
-constexpr double kMostRoundError = 0x1p-24; // rays that have little in common: all grazing angles at once, from all distances
+constexpr double kCoarseRoom = 1 + 0x1p-20;  // over what limits round when they become floats
 constexpr double kMostQuadricError = 0x1p-38;
 constexpr double kDepartureRoom = 0x1p-34;  // of the horizon: rays that leave a surface begin on it but for the rounding of their origin
 constexpr double kLeastAcross = 0x1p-8;  // of the square of the direction across an axis
@@ -103,8 +109,8 @@ struct Range {
 // One cell's surfaces as they gather.
 class CellFolder {
 public:
-    CellFolder(const Program& program, const TileScope& scope, std::vector<TileSurface>& surfaces)
-        : program_(program), scope_(scope), surfaces_(surfaces), first_(surfaces.size()) {}
+    CellFolder(const Program& program, const TileScope& scope, std::vector<TileSurface>& surfaces, std::vector<CoarseSurface>& coarse)
+        : program_(program), scope_(scope), surfaces_(surfaces), coarse_(coarse), first_(surfaces.size()) {}
 
     // False: some kind that packets do not know.
     bool add(const HalfSpace& h) {
@@ -164,6 +170,43 @@ public:
     double error() const { return error_; }
 
 private:
+    const Thresholds& thresholds() const { return scope_.coarse ? kCoarse : kFine; }
+
+    // The form v + t s of a plane in float; ev and es grow by what that rounds, in the form's own units. Returns 1 over the largest coefficient, by which the
+    // form in float is smaller.
+    double make_coarse(TileSurface& t, const PlaneNumbers& p, const Interval& v, double& ev, double& es) {
+        std::array<double, 3> n = p.n;
+        if (t.frame != 0) {
+            const auto& rows = program_.frames[t.frame].inverse;
+            for (std::size_t j = 0; j < 3; ++j) n[j] = rows[j] * p.n[0] + rows[3 + j] * p.n[1] + rows[6 + j] * p.n[2];
+        }
+        const double scale = 1 / std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])}), value = 0.5 * (v.lo + v.hi);
+        CoarseSurface& c = coarse_.emplace_back();
+        t.coarse = static_cast<std::uint32_t>(coarse_.size() - 1);
+        double slope = 0, off = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double lo = scope_.root.d_lo[j], hi = scope_.root.d_hi[j];
+            slope += n[j] * (0.5 * (lo + hi));
+            off += std::abs(n[j]) * (0.5 * (hi - lo) + kFineUnit * largest(lo, hi));
+            c.normal[j] = static_cast<float>(n[j] * scale);
+        }
+        c.slope = static_cast<float>(slope * scale);
+        c.value = static_cast<float>(value * scale);
+        ev += 0.5 * (v.hi - v.lo) + 2 * kCoarseUnit * std::abs(value);
+        es += kCoarseUnit * (2 * std::abs(slope) + 7 * off) * kRoom;
+        return scale;
+    }
+
+    RoundLimits make_coarse(TileSurface& t, const TileLine& line, const std::array<double, 3>& centre, double r, bool ball) {
+        t.coarse = static_cast<std::uint32_t>(coarse_.size());
+        CoarseSurface& c = coarse_.emplace_back();
+        const double* rows = t.frame == 0 ? nullptr : program_.frames[t.frame].inverse.data();
+        const CoarseView view = coarse_view(scope_.root, line, ball, t.axis, rows);
+        for (std::size_t k = 0; rows && k < view.count; ++k)
+            for (std::size_t j = 0; j < 3; ++j) c.rows[3 * k + j] = static_cast<float>(rows[3 * view.index[k] + j]);
+        return coarse_round(view, centre, r, scope_.horizon, c.round);
+    }
+
     const TileLine& line_of(FrameId id) {
         if (id == 0) return scope_.root;
         if (in_local_ != id) {
@@ -184,7 +227,8 @@ private:
             range.t = quotient({lower(t.value - scope_.root.o_hi[i]), upper(t.value - scope_.root.o_lo[i])}, {d_lo, d_hi});
         }
         t.kind = range.entering ? TileSurface::Kind::kEntering : range.leaving ? TileSurface::Kind::kLeaving : TileSurface::Kind::kCrossing;
-        take(t, range, 4 * u * scope_.horizon);
+        if (scope_.coarse) t.value -= scope_.root.o_lo[i];
+        take(t, range, scope_.axis_plane_error());
         return true;
     }
 
@@ -204,10 +248,12 @@ private:
         }
         ev = (ev + 8 * u * size) * kRoom;
         es = (es + 8 * u * slope) * kRoom;
+        const double scale = scope_.coarse ? make_coarse(t, p, v, ev, es) : 1;
+        if (!(scale < HUGE_VAL)) return false;
         v.lo -= ev, v.hi += ev, s.lo -= es, s.hi += es;
         t.kind = TileSurface::Kind::kPlane;
         const double off = 1.5 * (ev + scope_.horizon * es);
-        t.least_slope = std::max({smallest(s.lo, s.hi), kLeastSlope * largest(s.lo, s.hi), off / (kMostError * scope_.horizon)});
+        t.least_slope = std::max({smallest(s.lo, s.hi), thresholds().least_slope * largest(s.lo, s.hi), off / (thresholds().most_error * scope_.horizon)});
         if (!(t.least_slope > 4 * es)) return false;
         t.clear = ((t.least_slope + es) * scope_.horizon + 2 * ev) * kRoom;
         Range range;
@@ -217,19 +263,21 @@ private:
             range.t = quotient({-v.hi, -v.lo}, s);
         }
         // (ev + |t| es) / (|s| - es), as a ray's own bound.
-        take(t, range, off / t.least_slope + 4 * u * scope_.horizon);
+        const double error = off / t.least_slope + 4 * scope_.unit() * scope_.horizon;
+        if (scope_.coarse) t.least_slope *= scale / kCoarseRoom, t.clear *= scale * kCoarseRoom;  // `off` has room for a little less
+        take(t, range, error);
         return true;
     }
 
     bool add_round(TileSurface& t, const TileLine& line, const std::array<double, 3>& centre, double r) {
         const bool ball = t.support->kind == SupportKind::kBall;
         t.kind = ball ? TileSurface::Kind::kBall : TileSurface::Kind::kCylinder;
-        t.round = round_limits(line, centre, r, ball, t.axis);
+        t.round = scope_.coarse ? make_coarse(t, line, centre, r, ball) : round_limits(line, centre, r, ball, t.axis);
         const std::size_t i = (t.axis + 1u) % 3, j = (t.axis + 2u) % 3;
         t.still = !ball && largest(line.d_lo[i], line.d_hi[i]) == 0 && largest(line.d_lo[j], line.d_hi[j]) == 0;
-        if (!(t.round.missed < HUGE_VAL)) return false;
-        if (!(t.round.error <= kMostRoundError * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
-        const double error = t.still ? 0 : t.round.error + 2 * u * scope_.horizon;
+        if (!(t.round.missed < HUGE_VAL) || (t.still && scope_.coarse)) return false;
+        if (!(t.round.error <= thresholds().most_round_error * scope_.horizon)) t.round.met = HUGE_VAL, t.round.error = 0;
+        const double error = t.still ? 0 : t.round.error + 3 * scope_.unit() * scope_.horizon;
         take(t, {}, error);
         if (!t.inverted && !t.still) bound_round(line, centre, r, ball, t.axis, 4 * error + kDepartureRoom * scope_.horizon);
         return true;
@@ -270,6 +318,7 @@ private:
     }
 
     bool add_quadric(TileSurface& t) {
+        if (scope_.coarse) return false;
         t.kind = TileSurface::Kind::kQuadric;
         t.error = kMostQuadricError * scope_.horizon;
         take(t, {}, t.error);
@@ -292,6 +341,7 @@ private:
     const Program& program_;
     const TileScope& scope_;
     std::vector<TileSurface>& surfaces_;
+    std::vector<CoarseSurface>& coarse_;
     std::size_t first_;
     std::array<Range, 32> ranges_;  // of the first so many surfaces; further ones stay
     std::size_t ranged_ = 0;
@@ -302,46 +352,64 @@ private:
 
 }  // namespace
 
-// The names are those of round_crossing (crossing_kernel.inc), each the largest it takes on a lane that is met: there p^2 <= r^2 but for rounding.
-RoundLimits round_limits(const TileLine& line, const std::array<double, 3>& centre, double r, bool ball, std::size_t axis) {
-    double o = 0, d = 0, a_lo = 0, a_hi = 0, eo = 0, ed = 0;
+// The names here are those of round_crossing (crossing_kernel.inc), each the largest it takes on a lane that is met: there p^2 <= r^2 but for rounding.
+RoundDirections round_directions(const TileLine& line, bool ball, std::size_t axis, double unit) {
+    RoundDirections w;
+    double a_lo = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!ball && i == axis) continue;
         const double most = largest(line.d_lo[i], line.d_hi[i]), least = smallest(line.d_lo[i], line.d_hi[i]);
-        o += largest(line.o_lo[i] - centre[i], line.o_hi[i] - centre[i]);
-        d += most;
+        w.d += most;
         a_lo += least * least;
-        a_hi += most * most;
-        eo = std::max(eo, line.eo[i]);
-        ed = std::max(ed, line.ed[i]);
+        w.a += most * most;
+        w.ed = std::max(w.ed, line.ed[i]);
     }
+    w.still = w.a == 0 && w.ed == 0;
+    w.least_a = w.still ? 1 : std::max(a_lo / kRoom, kLeastAcross * w.a);
+    w.root_a = std::sqrt(w.least_a);
+    w.ea = (2 * w.d * w.ed + 3 * w.ed * w.ed + 4 * unit * w.a) * kRoom;
+    w.unit = unit;
+    return w;
+}
+
+RoundLimits round_limits(const RoundDirections& way, double o, double eo, double r, double horizon) {
+    const auto& [d, ed, a, least_a, root_a, ea, unit, still] = way;
     RoundLimits limits;
     o *= kRoom;
-    const bool still = a_hi == 0 && ed == 0;
-    const double least_a = still ? 1 : std::max(a_lo / kRoom, kLeastAcross * a_hi), root_a = std::sqrt(least_a);
-    const double ea = (2 * d * ed + 3 * ed * ed + 4 * u * a_hi) * kRoom;
-    const double ep = (eo + o / root_a * ed) * kRoom + 10 * u * o;  // |o| + |step| <= (1 + sqrt 3) |o|, three units each
+    const double ep = (eo + o / root_a * ed) * kRoom + 10 * unit * o;  // |o| + |step| <= (1 + sqrt 3) |o|, three units each
     if (!(least_a > 8 * ea) || !(ep <= 0.0625 * r)) return limits;
     const double p = 2 * r;  // sum of |p_i|: sqrt 3 times 1.125 r
-    const double eb = (d * ep + p * ed + 3 * ep * ed + 4 * u * d * p) * kRoom;
-    const double ec = (2 * p * ep + 3 * ep * ep + 16 * u * r * r) * kRoom;
-    const double off = (8 * u * o * d + d * eo + o * ed + o / root_a * ea) * kRoom;  // a times the distance from the closest approach
+    const double eb = (d * ep + p * ed + 3 * ep * ed + 4 * unit * d * p) * kRoom;
+    const double ec = (2 * p * ep + 3 * ep * ep + 16 * unit * r * r) * kRoom;
+    const double off = (8 * unit * o * d + d * eo + o * ed + o / root_a * ea) * kRoom;  // a times the distance from the closest approach
     const double b = off + eb, rr = 1.27 * r * r;
-    const double ec_far = (4 * p * ep + 3 * ep * ep + 32 * u * r * r) * kRoom;  // as far out as p = 2 r; beyond, c leaves no doubt
+    const double ec_far = (4 * p * ep + 3 * ep * ep + 32 * unit * r * r) * kRoom;  // as far out as p = 2 r; beyond, c leaves no doubt
     limits.missed = (ec_far + off * off / least_a) * kRoom;
     limits.least_a = still ? HUGE_VAL : least_a;
     if (still) return limits;
-    const double edisc = (2 * b * eb + eb * eb + a_hi * ec + rr * ea + ea * ec + 4 * u * (b * b + a_hi * rr)) * kRoom;
-    limits.met = std::max(kLeastCosine * kLeastCosine * least_a * r * r, 4 * edisc);
+    const double edisc = (2 * b * eb + eb * eb + a * ec + rr * ea + ea * ec + 4 * unit * (b * b + a * rr)) * kRoom;
+    const double cosine = std::max(kLeastCosine, horizon < HUGE_VAL ? std::cbrt(40 * edisc / (least_a * root_a * r * horizon)) : 0);
+    limits.met = std::max(cosine * cosine * least_a * r * r, 4 * edisc);
     const double half = 1.2 * r / root_a + b / least_a;
-    limits.error = 1.1 * ((eb + 0.625 * edisc / std::sqrt(limits.met)) / least_a + half * (ea / least_a + 8 * u));
+    limits.error = 1.1 * ((eb + 0.625 * edisc / std::sqrt(limits.met)) / least_a + half * (ea / least_a + 8 * unit));
+    if (unit != kFineUnit) limits.missed *= kCoarseRoom, limits.met *= kCoarseRoom, limits.least_a *= kCoarseRoom;
     return limits;
 }
 
-bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf, std::vector<TileSurface>& surfaces, TileCell& cell, double& error, double& near,
-               double& far) {
+RoundLimits round_limits(const TileLine& line, const std::array<double, 3>& centre, double r, bool ball, std::size_t axis) {
+    double o = 0, eo = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!ball && i == axis) continue;
+        o += largest(line.o_lo[i] - centre[i], line.o_hi[i] - centre[i]);
+        eo = std::max(eo, line.eo[i]);
+    }
+    return round_limits(round_directions(line, ball, axis, kFineUnit), o, eo, r, HUGE_VAL);
+}
+
+bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf, std::vector<TileSurface>& surfaces, std::vector<CoarseSurface>& coarse,
+               TileCell& cell, double& error, double& near, double& far) {
     cell.first = static_cast<std::uint32_t>(surfaces.size());
-    CellFolder folder(program, scope, surfaces);
+    CellFolder folder(program, scope, surfaces, coarse);
     bool met = true;
     cell.known = leaf.kind == FormulaKind::kCell && folder.add(leaf, met);
     if (cell.known && met) {
