@@ -1,11 +1,13 @@
 // main.cpp — the table of contents: read the command line, do the verb, tell the counters.
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <optional>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include "modeler/cli/frames.h"
 #include "modeler/cli/parse.h"
@@ -43,7 +45,7 @@ Exit run(const Request& request) {
     const std::vector<Request> frames = frames_of(request);
     std::vector<std::string> outputs;
     for (const Request& frame : frames) outputs.insert(outputs.end(), frame.outputs.begin(), frame.outputs.end());
-    Watchdog watchdog({request.common.limit_seconds, request.common.limit_bytes}, outputs);
+    Watchdog watchdog({request.common.limit_seconds, request.common.limit_memory, request.common.limit_bytes}, outputs);
     std::optional<tbb::global_control> threads;
     if (request.common.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.common.threads));
     Stats stats;
@@ -73,11 +75,24 @@ int whittle_main(std::vector<std::string> arguments) {
     return static_cast<int>(run(std::get<Request>(*parsed)));
 }
 
+// Where memory that is refused cannot be thrown out of (a thread's start, a noexcept move), the run still ends with the message and the code of the others.
+[[noreturn]] void say_why_and_end() {
+    try {
+        if (const auto fault = std::current_exception()) std::rethrow_exception(fault);
+    } catch (const std::bad_alloc&) {
+        std::fputs("ERROR: Out of memory\n", stderr);
+        _exit(static_cast<int>(Exit::kWorld));
+    } catch (...) {
+    }
+    std::abort();
+}
+
 }  // namespace
 
 }  // namespace whittle
 
 int main(int argc, char** argv) {
+    std::set_terminate(whittle::say_why_and_end);
     try {
         return whittle::whittle_main(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const std::bad_alloc&) {

@@ -174,12 +174,14 @@ void Declaration::declare_common() {
     flag("-q,--quiet", "Print errors only", common.quiet, kGroup);
     text("--stats", "FILE", "Writes counters of work done; - is standard output", common.stats_file, kGroup);
     number("--limit-time", "S", "Give up after so many seconds (exit code 3)", common.limit_seconds, 0, 1e9, kGroup);
-    value("--limit-memory", "MB", "Give up at so many megabytes (exit code 3)", kGroup, [&common](const std::string& t) {
-        const auto n = number_in(t);
-        if (!n || *n < 0 || *n > 1e9) return false;
-        common.limit_bytes = static_cast<std::uint64_t>(*n * 1048576.0);
-        return true;
-    });
+    value("--limit-memory", "MB or none", "Give up at so many megabytes (exit code 3); without it, at nine tenths of what the machine and its memory groups could give", kGroup,
+          [&common](const std::string& t) {
+              const auto megabytes = t == "none" ? std::optional<double>(0) : number_in(t);
+              if (!megabytes || *megabytes < 0 || *megabytes > 1e9) return false;
+              common.limit_memory = *megabytes > 0 ? MemoryLimit::kBytes : MemoryLimit::kNone;
+              common.limit_bytes = static_cast<std::uint64_t>(*megabytes * 1048576.0);
+              return true;
+          });
     passes("--disable", kGroup, common.disabled_passes);
 }
 

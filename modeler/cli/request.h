@@ -10,6 +10,7 @@
 
 #include "csg/eval/canonicalise.h"
 #include "csg/span/ray.h"
+#include "modeler/cli/memory.h"
 #include "modeler/cli/summary.h"
 #include "modeler/mesh/reference_mesh.h"
 #include "tracer/image/image_file.h"
@@ -41,7 +42,8 @@ struct CommonRequest {
     std::string stats_file;
     std::string dependency_file;  // -d
     double limit_seconds = 0;     // 0: none
-    std::uint64_t limit_bytes = 0;
+    MemoryLimit limit_memory = MemoryLimit::kSystem;
+    std::uint64_t limit_bytes = 0;  // with MemoryLimit::kBytes
     std::vector<std::string> disabled_passes;
     double time = 0;  // $t
 };

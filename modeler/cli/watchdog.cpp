@@ -18,6 +18,7 @@
 
 #include "csg/base/file.h"
 #include "csg/base/result.h"
+#include "modeler/cli/memory.h"
 
 namespace whittle {
 
@@ -25,23 +26,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMemoryLookEvery_ms = 20;
-
 sigset_t watched_signals() {
     sigset_t set;
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     return set;
-}
-
-std::uint64_t resident_bytes() {
-    std::FILE* file = std::fopen("/proc/self/statm", "re");
-    if (!file) return 0;
-    unsigned long long whole = 0, resident = 0;
-    const int read = std::fscanf(file, "%llu %llu", &whole, &resident);
-    std::fclose(file);
-    return read == 2 ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 }  // namespace
@@ -56,9 +46,12 @@ struct Watchdog::State {
     Clock::time_point begin = Clock::now();
     std::thread thread;
 
+    std::uint64_t left = 0;  // bytes up to the limit of memory at the last look
+
     void watch();
     int wait_ms() const;
     void check_limits();
+    void check_memory();
     void interrupt();
     [[noreturn]] void quit(Fault fault, const char* message);
 };
@@ -79,14 +72,29 @@ void Watchdog::State::interrupt() {
 void Watchdog::State::check_limits() {
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - begin).count();
     if (limits.seconds > 0 && elapsed_s >= limits.seconds) quit(Fault::kWorld, "The time limit is reached (--limit-time)");
-    if (limits.bytes > 0 && resident_bytes() > limits.bytes) quit(Fault::kWorld, "The memory limit is reached (--limit-memory)");
+    check_memory();
+}
+
+void Watchdog::State::check_memory() {
+    const std::uint64_t resident = resident_bytes();
+    if (limits.memory == MemoryLimit::kBytes) {
+        left = limits.bytes > resident ? limits.bytes - resident : 0;
+        if (left == 0) quit(Fault::kWorld, "The memory limit is reached (--limit-memory)");
+    } else if (limits.memory == MemoryLimit::kSystem) {
+        left = memory_left(resident, available_bytes());
+        if (left > 0) return;
+        const std::string message = "The memory limit is reached: this run holds " + std::to_string(resident >> 20) +
+                                    " MB and there is hardly any left (--limit-memory MB sets a limit, --limit-memory none lifts it)";
+        quit(Fault::kWorld, message.c_str());
+    }
 }
 
 int Watchdog::State::wait_ms() const {
-    if (limits.bytes > 0) return kMemoryLookEvery_ms;
-    if (limits.seconds <= 0) return -1;
+    const int for_memory_ms = limits.memory == MemoryLimit::kNone ? -1 : wait_for_memory_ms(left);
+    if (limits.seconds <= 0) return for_memory_ms;
     const double left_s = limits.seconds - std::chrono::duration<double>(Clock::now() - begin).count();
-    return static_cast<int>(std::clamp(std::ceil(left_s * 1000), 0.0, 1e9));
+    const int for_time_ms = static_cast<int>(std::clamp(std::ceil(left_s * 1000), 0.0, 1e9));
+    return for_memory_ms < 0 ? for_time_ms : std::min(for_memory_ms, for_time_ms);
 }
 
 void Watchdog::State::watch() {

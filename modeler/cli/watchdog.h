@@ -2,7 +2,7 @@
 //
 // SIGINT and SIGTERM are blocked in every thread and read here, so no handler ever runs in the middle of anything. A command that can end early (render)
 // asks for the first interrupt by when_interrupted(); the second, and every interrupt of the others, ends the process with 130. The limits end it
-// with 3. An ending process removes the temporary files it was writing and leaves what was at their targets.
+// with 3; without a limit of memory the run ends before the system would kill it (memory.h). An ending process removes the temporary files it was writing and leaves what was at their targets.
 #pragma once
 
 #include <atomic>
@@ -12,11 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "modeler/cli/memory.h"
+
 namespace whittle {
 
 struct WatchdogLimits {
-    double seconds = 0;       // 0: none
-    std::uint64_t bytes = 0;  // of resident memory; 0: none
+    double seconds = 0;  // 0: none
+    MemoryLimit memory = MemoryLimit::kSystem;
+    std::uint64_t bytes = 0;
 };
 
 class Watchdog {

@@ -65,6 +65,7 @@ TEST_CASE("options that all verbs share are read") {
     CHECK(common.hard_warnings);
     CHECK(common.allow_missing);
     CHECK(common.limit_seconds == 2.5);
+    CHECK(common.limit_memory == MemoryLimit::kBytes);
     CHECK(common.limit_bytes == 104857600);
     CHECK(common.disabled_passes == std::vector<std::string>{"equal", "buried"});
     CHECK(common.dependency_file == "x.d");
@@ -74,6 +75,13 @@ TEST_CASE("options that all verbs share are read") {
     CHECK(common.diagnostics == DiagnosticStyle::kJson);
     CHECK(common.parameter_file == "p.json");
     CHECK(common.parameter_set == "small");
+}
+
+TEST_CASE("memory is limited by the system where nothing is said, and not at all by none or 0") {
+    CHECK(read({"measure", "a.scad"}).common.limit_memory == MemoryLimit::kSystem);
+    CHECK(read({"measure", "a.scad", "--limit-memory", "none"}).common.limit_memory == MemoryLimit::kNone);
+    CHECK(read({"measure", "a.scad", "--limit-memory", "0"}).common.limit_memory == MemoryLimit::kNone);
+    CHECK(contains(refusal({"measure", "a.scad", "--limit-memory", "some"}), "--limit-memory wants MB or none, not 'some'"));
 }
 
 TEST_CASE("--curves has its four forms") {
