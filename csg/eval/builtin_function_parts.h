@@ -35,5 +35,7 @@ void tell_complaints(FunctionCall& call, const Value& complaints);
 
 // Code points of UTF-8 text, as substrings.
 std::vector<std::string_view> code_points(std::string_view text);
+// Number of the first code point. Requires: some text.
+std::uint32_t first_code_point(std::string_view text);
 
 }  // namespace whittle

@@ -21,6 +21,13 @@ std::vector<std::string_view> code_points(std::string_view text) {
     return out;
 }
 
+std::uint32_t first_code_point(std::string_view s) {
+    const unsigned char lead = static_cast<unsigned char>(s[0]);
+    std::uint32_t code = lead < 0x80 ? lead : lead < 0xE0 ? lead & 0x1F : lead < 0xF0 ? lead & 0x0F : lead & 0x07;
+    for (std::size_t i = 1; i < s.size() && (static_cast<unsigned char>(s[i]) & 0xC0) == 0x80; ++i) code = (code << 6) | (static_cast<unsigned char>(s[i]) & 0x3F);
+    return code;
+}
+
 Value function_len(FunctionCall& call) {
     if (call.count() != 1) return wrong_count(call);
     if (call[0].is_vector()) return Value(static_cast<double>(call[0].size()));
@@ -95,10 +102,7 @@ Value function_ord(FunctionCall& call) {
     }
     const std::string_view s = call[0].string();
     if (s.empty()) return {};
-    const unsigned char lead = static_cast<unsigned char>(s[0]);
-    std::uint32_t code = lead < 0x80 ? lead : lead < 0xE0 ? lead & 0x1F : lead < 0xF0 ? lead & 0x0F : lead & 0x07;
-    for (std::size_t i = 1; i < s.size() && (static_cast<unsigned char>(s[i]) & 0xC0) == 0x80; ++i) code = (code << 6) | (static_cast<unsigned char>(s[i]) & 0x3F);
-    return Value(static_cast<double>(code));
+    return Value(static_cast<double>(first_code_point(s)));
 }
 
 Value function_concat(FunctionCall& call) {

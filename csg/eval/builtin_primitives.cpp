@@ -56,11 +56,10 @@ Made make_cube(ModuleUse& use) {
     if (size.is_number()) {
         out.size = Vec3(size.number());
     } else if (!size.is_undef()) {
-        const bool three_numbers = size.is_vector() && size.size() == 3;
-        bool good = three_numbers;
-        for (std::uint32_t i = 0; i < 3 && three_numbers; ++i) {
-            if (size[i].is_number()) out.size[static_cast<int>(i)] = size[i].number();
-            else good = false;
+        bool good = size.is_vector() && size.size() == 3;
+        for (std::uint32_t i = 0; i < 3 && good; ++i) {  // what stands before one that is no number counts
+            good = size[i].is_number();
+            if (good) out.size[static_cast<int>(i)] = size[i].number();
         }
         if (!good) use.warn(fmt::format("Unable to convert cube(size={}, ...) parameter to a number or a vec3 of numbers", use.machine.text_of(size)));
     }

@@ -1,9 +1,11 @@
 // builtin_text.cpp — text(): its parameters as OpenSCAD takes them.
+#include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
 
 #include "csg/eval/builtin_module_parts.h"
+#include "csg/eval/letter_scripts.h"
 #include "csg/eval/value_text.h"
 
 namespace whittle {
@@ -18,27 +20,29 @@ std::string stream(double x) {
     return out;
 }
 
-// ISO 15924 code of the script: as given, its first four letters; else guessed from the letters. Empty where there are none.
-std::string script_of(const Value& given, const std::string& text) {
-    if (given.is_string() && given.string().size() >= 4) {
-        std::string code(given.string().substr(0, 4));
-        for (std::size_t i = 0; i < code.size(); ++i) code[i] = static_cast<char>(i == 0 ? std::toupper(code[i]) : std::tolower(code[i]));
-        return code;
+// ISO 15924 code of the script: the first four letters as given, whatever their case; else that of the letters. What stands for no script stays as given.
+std::string script_of(const std::string& given, const std::string& text) {
+    if (given.empty()) {
+        const std::string found = script_of_letters(text);
+        return found == "Zzzz" ? std::string() : found;
     }
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const unsigned char c = static_cast<unsigned char>(text[i]);
-        if (std::isalpha(c) || (c >= 0xC3 && c <= 0xC9)) return "Latn";
-        if (c >= 0xCD && c <= 0xCF) return "Grek";
-        if (c >= 0xD0 && c <= 0xD3) return "Cyrl";
-        if (c >= 0xD6 && c <= 0xD7) return "Hebr";
-        if (c >= 0xD8 && c <= 0xDB) return "Arab";
-    }
-    return {};
+    std::string code(given.substr(0, 4));
+    if (code.size() < 4 || !std::all_of(code.begin(), code.end(), [](unsigned char c) { return std::isalpha(c); })) return given;
+    for (std::size_t i = 0; i < code.size(); ++i) code[i] = static_cast<char>(i == 0 ? std::toupper(code[i]) : std::tolower(code[i]));
+    return code == "Zzzz" || code == "Zyyy" || code == "Zinh" ? given : code;
+}
+
+// As HarfBuzz reads it, by the first letter; what is no direction is that of the script.
+const char* direction_of(const std::string& given, const std::string& script) {
+    const int first = given.empty() ? 0 : std::tolower(static_cast<unsigned char>(given[0]));
+    for (const char* known : {"ltr", "rtl", "ttb", "btt"})
+        if (first == known[0]) return known;
+    return is_written_leftwards(script) ? "rtl" : "ltr";
 }
 
 std::string csg_of(const TextRequest& r, const std::string& script, const char* direction, const Facets& f) {
     std::string csg = fmt::format("text(text = \"{}\", size = {}, spacing = {}, font = \"{}\", direction = \"{}\", language = \"{}\"", r.text, stream(r.size),
-                                  stream(r.spacing), r.font, r.direction.empty() ? direction : r.direction, r.language);
+                                  stream(r.spacing), r.font, direction, r.language);
     if (!script.empty()) csg += ", script = \"" + script + "\"";
     return csg + fmt::format(", halign = \"{}\", valign = \"{}\", $fn = {:g}, $fa = {:g}, $fs = {:g})", r.halign, r.valign, f.fn, f.fa, f.fs);
 }
@@ -58,8 +62,8 @@ Made make_text(ModuleUse& use) {
     r.halign = text_or(use[6], "left");
     r.valign = text_or(use[7], "baseline");
     r.spacing = number_or(use[8], r.spacing);
-    const std::string script = script_of(use[5], r.text);
-    out.csg = csg_of(r, script, script == "Hebr" || script == "Arab" ? "rtl" : "ltr", use.machine.facets());
+    const std::string script = script_of(r.script, r.text);
+    out.csg = csg_of(r, script, direction_of(r.direction, script), use.machine.facets());
     return out;
 }
 

@@ -74,9 +74,11 @@ Made make_scale(ModuleUse& use) {
     Vec3 s{1};
     double all = 1;
     if (read_number(use[0], all)) s = Vec3(all);
-    else if (!read_vec3(use[0], s, 1))
-        use.warn(fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number",
-                                                use.machine.text_of(use[0])));
+    else if (!read_vec3(use[0], s, 1)) {
+        use.warn(fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number", use.machine.text_of(use[0])));
+        const bool three = use[0].is_vector() && use[0].size() == 3;
+        for (std::uint32_t i = 0; three && i < 3 && read_number(use[0][i], s[static_cast<int>(i)]); ++i) {}  // what stands before one that is no number counts
+    }
     return scene::Transform{linear({s.x, 0, 0, 0, s.y, 0, 0, 0, s.z})};
 }
 

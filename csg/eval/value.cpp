@@ -297,6 +297,7 @@ std::uint32_t range_count(const RangeObject& range) {
     constexpr std::uint32_t kEndless = std::numeric_limits<std::uint32_t>::max();
     if (std::isnan(range.begin) || std::isnan(range.end) || std::isnan(range.step)) return 0;
     if (range.step < 0 ? range.begin < range.end : range.begin > range.end) return 0;
+    if (range.begin == range.end && range.step == 0) return 0;  // OpenSCAD counts one but visits none
     if (range.begin == range.end || std::isinf(range.step)) return 1;
     if (std::isinf(range.begin) || std::isinf(range.end) || range.step == 0) return kEndless;
     const double steps = std::nextafter((range.end - range.begin) / range.step, std::numeric_limits<double>::infinity());

@@ -1,0 +1,16 @@
+f = function(x, y = x) [x, y]; echo(f(1), f(1, 2), f(y = 3, 4), f(), f(1, 2, 3), f(z = 1));
+c = function(n) n == 0 ? 0 : 1 + c(n - 1); echo(c(5));
+ycomb = function(g) (function(x) g(function(v) let (h = x(x)) h(v)))(function(x) g(function(v) let (h = x(x)) h(v)));
+fact = ycomb(function(self) function(n) n <= 1 ? 1 : n * self(n - 1)); echo(fact(10));
+mk = function(n) [for (i = [0 : n]) function() i * n]; echo(6, 5, mk(1));
+o = [["add", function(a, b) a + b], ["neg", function(a) -a]]; echo(o[0][1](2, 3), o[search(["neg"], o)[0]][1](4));
+echo(function(a = 1, b = [1, 2], c = "s", $d = 3) a ? b : let (q = a) assert(q > 0) echo(q) [for (i = [0 : 2 : 4]) if (i > 1) i else -i, each b][0].x ^ -2 % 3);
+echo(function() undef, function(x) !x && -x || x[0], function(x) [for (a = 0; a < 3; a = a + 1) a], function(x) x(1)(2), is_function(f), is_function(sin), f == f, f == c, f < c, f + 1, len(f), str(f), f[0], f.x);
+function named(f) = f(2); echo(named(function(x) x * x), named(f = function(x) x + 1), named(sin), named(5), named());
+sin = function(x) "shadowed"; echo(sin(30)); cosine = cos; 
+module m(op) { echo(op(3)); op = 4; } m(function(q) q * 2);
+let (f = function(x) "inner") echo(f(1)); for (f = [function(x) x, function(x) -x]) echo(f(7));
+$dyn = function(x) x + 1; 
+t = function(n, acc = 0) n == 0 ? acc : t(n - 1, acc + n); echo(t(10000));
+echo((function(x) x)(1), (function(x) function(y) x + y)(1)(2), [function(x) x * 3][0](3), (true ? f : c)(1));
+assert(is_function(f)) ; assert(f(1) == [1, undef], "shown"); echo(assert(true) 5, assert(1 + 1 == 2, "m") echo("in") 6, echo("e", a = 1) let (b = 2) b);
