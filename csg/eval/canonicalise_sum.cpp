@@ -177,6 +177,14 @@ Result<Use> Canonicaliser::sum_of(const Use& a, const Use& b) {
         return *exact;
     }
     if (builder_.is_2d(a.node)) return flat_sum(a, b);
+    const std::pair operands{node_of(a), node_of(b)};
+    if (const auto known = sums_.find(operands); known != sums_.end()) return known->second;
+    auto sum = sum_without_form(a, b);
+    if (sum) sums_.emplace(operands, *sum);
+    return sum;
+}
+
+Result<Use> Canonicaliser::sum_without_form(const Use& a, const Use& b) {
     if (const auto convex = convex_sum(a, b)) return *convex;
     const auto left = is_convex(a) ? std::nullopt : parts_of_union(a), right = is_convex(b) ? std::nullopt : parts_of_union(b);
     if ((left ? left->size() : 1) * (right ? right->size() : 1) > kMostPieces) return fail(Fault::kScene, "the sum would have too many parts");

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/eval/canonicalise.h"
@@ -93,6 +94,7 @@ private:
 
     // Minkowski sums (canonicalise_sum.cpp).
     Result<Use> sum_of(const Use& a, const Use& b);
+    Result<Use> sum_without_form(const Use& a, const Use& b);
     Result<Use> flat_sum(const Use& a, const Use& b);
     Result<Use> sum_of_each(const std::vector<Use>& parts, const Use& other);
     std::optional<std::vector<Use>> parts_of_union(const Use& use);
@@ -143,6 +145,7 @@ private:
     double largest_fn_ = 0;
     bool fonts_known_ = false;     // those that the scene names have been added
     std::map<NodeId, std::shared_ptr<const FacetList>> meshes_;  // what operations without an exact form asked for
+    std::map<std::pair<NodeId, NodeId>, Use> sums_;              // of two solids whose sum has no exact form: made once
     std::set<NodeId> convex_;                                    // made by hull and minkowski
     std::map<std::string, int> fallbacks_;                       // and how often, by module
 };

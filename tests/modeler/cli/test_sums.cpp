@@ -82,6 +82,17 @@ TEST_CASE("a ring and an ellipsoid are measured by as many lines as their facets
     CHECK(std::fabs(number_after(out.out, "\"volume\":{\"value\":") - 4926.17) < 2 * error + 0.2);
 }
 
+TEST_CASE("a sum that is asked for twice is made once") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("part.scad",
+                                          "module sum() minkowski() { rotate_extrude() translate([10, 0]) circle(3); scale([1, 2, 0.5]) sphere(2); }\n"
+                                          "sum();\ntranslate([60, 0, 0]) rotate(30) color(\"red\") sum();\n");
+    const Outcome out = run_whittle({"spans", scene, "--ray=-30,0,0,1,0,0", "--stats", folder.name("counted.json"), "--limit-memory", "1500"});
+    REQUIRE(out.code == 0);
+    CHECK(number_after(folder.read("counted.json"), "\"mesh.fallback\":") == 1);
+    CHECK(contains(out.err, "minkowski() has no exact form here: 1 operand"));
+}
+
 TEST_CASE("two rings that stand across each other have a sum") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("part.scad", "minkowski() { torus(r1 = 10, r2 = 3); rotate([90, 0, 0]) torus(r1 = 5, r2 = 1); }\n");
