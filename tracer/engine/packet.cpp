@@ -301,7 +301,7 @@ void any_of_packets(const Program& program, const TileBounds& bounds, bool share
         m.t[k] = alone[k] ? -HUGE_VAL : io.t_max[i];
     }
     m.any = true;
-    HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
+    if (shared || !blocked_in_float(program, bounds, n, m, scratch.counters)) HWY_DYNAMIC_DISPATCH(tile_hits)(program, bounds, n, m, bounds.coherent, shared);
     m.any = false;
     take_work(m, scratch.counters);
     for (std::size_t k = 0; k < n; ++k) {

@@ -45,14 +45,14 @@ bool fits_float(const Program& program, const TileExtremes& e, const TileScope& 
     return e.least_square >= kLeastCoarseSquare && most <= kMostCoarseSquare && reach >= kLeastCoarseReach && reach <= kMostCoarseReach;
 }
 
-}  // namespace
-
-bool hits_in_float(const Program& program, const TileBounds& bounds, std::size_t count, TileMemory& m, EngineCounters& counters) {
+// The nearest or any crossings of the rays last loaded into `m.coarse`. How many are open; more than there are where float is not asked, or of no use.
+std::size_t find_in_float(const Program& program, const TileBounds& bounds, std::size_t count, TileMemory& m) {
+    const std::size_t none = count + 1;
     const TileScope scope = m.tree.scope();
-    if (!fits_float(program, bounds.extremes, scope)) return false;
+    if (!fits_float(program, bounds.extremes, scope)) return none;
     if (m.coarse_pause > 0) {
         --m.coarse_pause;
-        return false;
+        return none;
     }
     TileScope coarse = scope;
     coarse.coarse = true;
@@ -61,15 +61,34 @@ bool hits_in_float(const Program& program, const TileBounds& bounds, std::size_t
     if (bounds.meets(corner(program.bounds.lo), corner(program.bounds.hi), near, far)) coarse.horizon = std::min(scope.horizon, kBehind * far);
     m.tree.begin(program, coarse);
     HWY_DYNAMIC_DISPATCH(coarse_hits)(program, bounds, count, m);
-    const auto open = static_cast<std::size_t>(std::count(m.deferred.begin(), m.deferred.begin() + static_cast<std::ptrdiff_t>(count), true));
-    if (open * kLeastShare > count) {
-        m.coarse_failures = std::min(2 * m.coarse_failures + 1, kMostPause);
-        m.coarse_pause = m.coarse_failures;
-        m.tree.begin(program, scope);
-        return false;
+    std::size_t open = 0;
+    // Blocked is blocked, whatever else was close.
+    for (std::size_t k = 0; k < count; ++k) open += m.deferred[k] && m.coarse.t[k] != -HUGE_VALF ? 1 : 0;
+    if (open * kLeastShare <= count) {
+        m.coarse_failures = 0;
+        return open;
     }
-    m.coarse_failures = 0;
+    m.coarse_failures = std::min(2 * m.coarse_failures + 1, kMostPause);
+    m.coarse_pause = m.coarse_failures;
+    m.tree.begin(program, scope);
+    return none;
+}
+
+}  // namespace
+
+bool hits_in_float(const Program& program, const TileBounds& bounds, std::size_t count, TileMemory& m, EngineCounters& counters) {
+    const std::size_t open = find_in_float(program, bounds, count, m);
+    if (open > count) return false;
     finish_hits_in_float(program, count, m);
+    counters.skipped_by(EnginePass::kCoarse) += count - open;
+    return true;
+}
+
+bool blocked_in_float(const Program& program, const TileBounds& bounds, std::size_t count, TileMemory& m, EngineCounters& counters) {
+    if (std::any_of(m.departed.begin(), m.departed.begin() + static_cast<std::ptrdiff_t>(count), [](std::uint64_t id) { return id != ~std::uint64_t{0}; })) return false;
+    const std::size_t open = find_in_float(program, bounds, count, m);
+    if (open > count) return false;
+    for (std::size_t k = 0; k < count; ++k) m.t[k] = m.coarse.t[k];
     counters.skipped_by(EnginePass::kCoarse) += count - open;
     return true;
 }

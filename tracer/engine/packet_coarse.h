@@ -9,6 +9,10 @@ namespace whittle {
 // nothing is told then, and the tree stands where it stood. Requires: rays that go together, and a tree that has begun.
 bool hits_in_float(const Program& program, const TileBounds& bounds, std::size_t rays, TileMemory& memory, EngineCounters& counters);
 
+// Which rays of a tile are blocked before `memory.t`, which becomes -inf there, as packets in double tell; the rest as above. Rays that leave a surface are none for
+// float.
+bool blocked_in_float(const Program& program, const TileBounds& bounds, std::size_t rays, TileMemory& memory, EngineCounters& counters);
+
 // What packets in float have found into the tile's own rows, with t, bounds and normals; defers rays whose border's use is not told (packet.cpp).
 void finish_hits_in_float(const Program& program, std::size_t rays, TileMemory& memory);
 

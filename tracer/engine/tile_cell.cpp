@@ -365,7 +365,8 @@ RoundDirections round_directions(const TileLine& line, bool ball, std::size_t ax
         w.ed = std::max(w.ed, line.ed[i]);
     }
     w.still = w.a == 0 && w.ed == 0;
-    w.least_a = w.still ? 1 : std::max(a_lo / kRoom, kLeastAcross * w.a);
+    // The square of the shortest direction, as the lanes round it, is no less.
+    w.least_a = w.still ? 1 : std::max(a_lo / (unit == kFineUnit ? kRoom : kCoarseRoom * kCoarseRoom), kLeastAcross * w.a);
     w.root_a = std::sqrt(w.least_a);
     w.ea = (2 * w.d * w.ed + 3 * w.ed * w.ed + 4 * unit * w.a) * kRoom;
     w.unit = unit;
