@@ -115,7 +115,7 @@ constexpr std::array kModules = std::to_array<BuiltinModule>({
     {"render", "convexity", "", true, make_render, "render(convexity)"},
     {"translate", "v", "", true, make_translate, "translate([x, y, z])"},
     {"rotate", "a v", "", true, make_rotate, "rotate([x, y, z]) or rotate(angle, axis)"},
-    {"scale", "v", "", true, make_scale, "scale([x, y, z])"},
+    {"scale", "v", "", true, make_scale, "scale([x, y, z]) or scale(factor)"},
     {"mirror", "v", "", true, make_mirror, "mirror([x, y, z])"},
     {"multmatrix", "m", "", true, make_multmatrix, "multmatrix(4x4 matrix)"},
     {"resize", "newsize auto convexity", "", true, make_resize, "resize([x, y, z], auto, convexity)"},

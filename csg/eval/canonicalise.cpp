@@ -121,7 +121,9 @@ bool Canonicaliser::accept(Operands& operands, Dimension dimension, SourcePlace 
     if (dimension == Dimension::kNone) return false;
     if (operands.dimension == Dimension::kNone) operands.dimension = dimension;
     if (operands.dimension == dimension) return true;
-    if (!operands.mixed) diagnostics_.add(Severity::kWarning, place, "Mixing 2D and 3D objects is not supported");
+    if (!operands.mixed)
+        diagnostics_.add(Severity::kWarning, place, "Mixing 2D and 3D objects is not supported",
+                         dimension == Dimension::kFlat ? "linear_extrude(height) makes a solid of a flat shape" : "projection() makes a flat shape of a solid");
     operands.mixed = true;
     left_out(place, dimension == Dimension::kFlat ? "Ignoring 2D child object for 3D operation" : "Ignoring 3D child object for 2D operation");
     return false;

@@ -160,7 +160,9 @@ void Machine::fail_too_nested(TermId id) { fail(program_.places[id], "Lists are 
 Value Machine::eval_binary(ast::Op op, const Value& left, const Value& right, TermId id) {
     std::string problem;
     Value result = binary_operation(heap_, op, left, right, problem);
-    if (!problem.empty()) warn(program_.places[id], std::move(problem));
+    if (problem.empty()) return result;
+    const bool joins = op == ast::Op::kAdd && (left.is_string() || right.is_string());
+    warn(program_.places[id], std::move(problem), joins ? "texts are joined by str(a, b)" : "");
     return result;
 }
 

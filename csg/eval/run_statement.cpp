@@ -109,7 +109,7 @@ void Machine::make_builtin(const Inst& inst, Activation* frame) {
     const bool has_children = inst.children != code::kNone;
     const code::Scope* children = has_children ? &program_.scopes[inst.children] : nullptr;
     if (children && inst.refuses_children && !(children->insts.empty() && children->binds.empty()))
-        warn(inst.place, "module " + std::string(builtin.name) + "() does not support child modules");
+        warn(inst.place, "module " + std::string(builtin.name) + "() does not support child modules", "is a ';' missing behind " + std::string(builtin.name) + "(...)?");
     if (input_.check_parameters)
         for (const Complaint& complaint : inst.matched.complaints) warn(inst.place, complaint.text, hint_of_complaint(names_, complaint, builtin));
     const std::size_t base = stack_.size();

@@ -39,6 +39,17 @@ constexpr std::array<std::pair<const char*, Tok>, 12> kKeywords{{{"module", Tok:
     {"else", Tok::kElse}, {"let", Tok::kLet}, {"assert", Tok::kAssert}, {"echo", Tok::kEcho}, {"for", Tok::kFor}, {"each", Tok::kEach},
     {"true", Tok::kTrue}, {"false", Tok::kFalse}, {"undef", Tok::kUndef}}};
 
+// Signs that keyboards, text processors and web pages put in place of those of the language.
+std::string meant_by(std::string_view sign) {
+    struct Likeness { std::string_view sign; char plain; };
+    static constexpr Likeness kLikenesses[] = {{"'", '"'}, {"`", '"'}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u201E", '"'}, {"\u2018", '"'}, {"\u2019", '"'}, {"\u00AB", '"'}, {"\u00BB", '"'},
+        {"\u2212", '-'}, {"\u2013", '-'}, {"\u2014", '-'}, {"\u00D7", '*'}, {"\u22C5", '*'}, {"\u00B7", '*'}, {"\u00F7", '/'},
+        {"\uFF1B", ';'}, {"\uFF0C", ','}, {"\uFF08", '('}, {"\uFF09", ')'}, {"\uFF1D", '='}};
+    for (const Likeness& like : kLikenesses)
+        if (like.sign == sign) return like.plain == '"' ? ": strings stand in plain double quotes, \"text\"" : std::string(": is a plain ") + like.plain + " meant?";
+    return {};
+}
+
 class Lexer {
 public:
     Lexer(const std::string& text, std::uint32_t file, Names& names, StringPool& strings)
@@ -243,7 +254,8 @@ private:
             }
         std::size_t length = 1;
         while ((static_cast<unsigned char>(at(length)) & 0xC0) == 0x80) ++length;
-        add_text(Tok::kBad, place, "syntax error|the character '" + text_.substr(position_, length) + "' has no meaning here");
+        const std::string sign = text_.substr(position_, length);
+        add_text(Tok::kBad, place, "syntax error|the character '" + sign + "' has no meaning here" + meant_by(sign));
         skip(length);
     }
 

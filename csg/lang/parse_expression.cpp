@@ -206,7 +206,7 @@ ExprId Parser::primary() {
             return inside;
         }
         case Tok::kOpenBracket: take(); return vector_or_range(token.place);
-        default: syntax_error(std::string("expected a value, found ") + spelling(token.kind));
+        default: syntax_error("expected a value, found " + found());
     }
 }
 
@@ -336,7 +336,7 @@ ArgumentRange Parser::parameters() {
     std::vector<Argument> list;
     while (kind() != Tok::kCloseParen) {
         if (take_if(Tok::kComma)) continue;
-        if (kind() != Tok::kIdentifier) syntax_error(std::string("expected a parameter's name, found ") + spelling(kind()));
+        if (kind() != Tok::kIdentifier) syntax_error("expected a parameter's name, found " + found());
         Argument parameter;
         parameter.place = now().place;
         parameter.name = take().text;

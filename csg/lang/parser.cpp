@@ -31,6 +31,8 @@ void Parser::syntax_error(std::string hint) {
         const std::size_t bar = complaint.find('|');
         what = complaint.substr(0, bar);
         hint = complaint.substr(bar + 1);
+    } else if (const std::string meant = lesson(); !meant.empty()) {
+        hint += "; " + meant;
     }
     diagnostics_.add(Severity::kError, now().place, "Parser error: " + what, std::move(hint));
     if (++errors_ >= kMaxSyntaxErrors) throw TooManyErrors{};
@@ -45,7 +47,14 @@ void Parser::too_deep() {
 }
 
 void Parser::expect(Tok wanted, const char* where) {
-    if (!take_if(wanted)) syntax_error(std::string("expected ") + spelling(wanted) + " " + where + ", found " + spelling(kind()));
+    if (take_if(wanted)) return;
+    std::string hint = std::string("expected ") + spelling(wanted) + " " + where + ", found " + found();
+    const SourcePlace before = position_ > 0 ? tokens_[position_ - 1].place : now().place;
+    if (wanted == Tok::kSemicolon && kind() != Tok::kBad && before.file == now().place.file && before.line < now().place.line)
+        hint += "; line " + std::to_string(before.line) + " ends without it";
+    if (wanted == Tok::kCloseParen && (kind() == Tok::kNumber || kind() == Tok::kString || (kind() == Tok::kIdentifier && next_kind() == Tok::kAssign)))
+        hint += "; is a ',' missing before it?";
+    syntax_error(std::move(hint));
 }
 
 // Skips to behind the ';' or the '}' that ends the broken statement; a '}' of an outer block and the end of the file are left alone.
@@ -142,6 +151,7 @@ void Parser::function_definition(ScopeId scope) {
     expect(Tok::kOpenParen, "before the parameters");
     f.parameters = parameters();
     expect(Tok::kCloseParen, "after the parameters");
+    if (kind() == Tok::kOpenBrace) syntax_error("expected '=' before the function's value, found '{'; a function is one expression: function name(x) = value;");
     expect(Tok::kAssign, "before the function's value");
     f.body = expression();
     expect(Tok::kSemicolon, "after the function");
@@ -171,7 +181,7 @@ Instantiation Parser::instantiation_head(std::uint8_t modifiers) {
     inst.place = now().place;
     inst.modifiers = modifiers;
     const bool is_if = kind() == Tok::kIf;
-    if (!is_if && !names_module(kind())) syntax_error(std::string("expected a statement, found ") + spelling(kind()));
+    if (!is_if && !names_module(kind())) syntax_error("expected a statement, found " + found());
     inst.name = take().text;
     expect(Tok::kOpenParen, is_if ? "before the condition" : "after the module's name");
     if (is_if) {
@@ -179,10 +189,24 @@ Instantiation Parser::instantiation_head(std::uint8_t modifiers) {
         const ExprId condition = expression();
         inst.arguments = store({{kNoName, condition, place}});
     } else {
+        const bool is_for = tokens_[position_ - 2].kind == Tok::kFor;
         inst.arguments = arguments();
+        if (is_for && kind() == Tok::kSemicolon) loop_of_another_language();
     }
     expect(Tok::kCloseParen, is_if ? "after the condition" : "after the arguments");
     return inst;
+}
+
+// for (i = 0; i < 9; i++), which lists have and modules do not: one message, however much is wrong up to the ')'.
+void Parser::loop_of_another_language() {
+    const SourcePlace place = now().place;
+    for (int depth = 1; kind() != Tok::kEnd && depth > 0;) {
+        const Tok taken = take().kind;
+        depth += (taken == Tok::kOpenParen) - (taken == Tok::kCloseParen);
+    }
+    diagnostics_.add(Severity::kError, place, "Parser error: syntax error", "expected ')' after the arguments, found ';'; a loop of modules goes through a list or a range: for (i = [0 : 9])");
+    if (++errors_ >= kMaxSyntaxErrors) throw TooManyErrors{};
+    throw SyntaxError{};
 }
 
 // [!#%*]* name(args) child, or if (...) child [else child]; `*` reads and drops it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/lang/parser.h"
@@ -35,8 +36,15 @@ private:
         return true;
     }
     void expect(Tok wanted, const char* where);
+    // Says what is wrong with the current word: `hint`, and behind it what the author may have meant.
     [[noreturn]] void syntax_error(std::string hint);
     [[noreturn]] void too_deep();
+
+    // What the author may have meant (lessons.cpp).
+    std::string found() const;   // how the current word is written: "'width'", "a number", "';'"
+    std::string lesson() const;  // a sentence, or empty
+    std::string_view name_before(std::size_t back) const;
+    Tok kind_before(std::size_t back) const;
 
     // Statements (parser.cpp).
     void recover();
@@ -49,6 +57,7 @@ private:
     void module_definition(ast::ScopeId scope);
     void instantiation(ast::ScopeId scope);
     ast::Instantiation instantiation_head(std::uint8_t modifiers);
+    [[noreturn]] void loop_of_another_language();
     ast::ScopeId child_scope();
     void child_statement(ast::ScopeId scope);
     ast::ScopeId new_scope();

@@ -1,6 +1,7 @@
 // console.cpp — see console.h. A write holds whole lines, and no more than a pipe takes at once, so that lines of two processes do not mix.
 #include "modeler/cli/console.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/core.h>
@@ -89,7 +90,8 @@ std::string Console::json_of(const Diagnostic& diagnostic, const SourceTable& so
 
 void Console::say(Severity severity, std::string_view text) {
     Diagnostics one;
-    one.add(severity, {}, std::string(text));
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    one.add(severity, {}, std::string(text.substr(0, end)), std::string(text.substr(std::min(end + 1, text.size()))));
     tell(one, {});
 }
 

@@ -19,7 +19,7 @@ public:
     void tell(const Diagnostics& diagnostics, const SourceTable& sources, std::size_t told = 0);
     // Whether what the scene echoes is told: not where it goes to a file.
     void tell_echoes(bool yes) { echoes_ = yes; }
-    // Without a place in a text.
+    // Without a place in a text. What stands behind a first line is its hint.
     void error(std::string_view text) { say(Severity::kError, text); }
     void warning(std::string_view text) { say(Severity::kWarning, text); }
     // What a file that is written should not have, in OpenSCAD's words for it.

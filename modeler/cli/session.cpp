@@ -148,8 +148,13 @@ Result<void> check_something(const Canonical& canonical) {
     return {};
 }
 
+Result<void> check_not_flat(const Canonical& canonical) {
+    if (!canonical.is_2d) return {};
+    return fail(Fault::kScene, "Current top level object is not a 3D object.\nlinear_extrude(height) makes a solid of it; flat shapes are written to .svg, .dxf and .pdf");
+}
+
 Result<void> check_solid(const Canonical& canonical) {
-    if (canonical.is_2d) return fail(Fault::kScene, "Current top level object is not a 3D object.");
+    if (auto deep = check_not_flat(canonical); !deep) return deep;
     return check_something(canonical);
 }
 

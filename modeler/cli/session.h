@@ -55,7 +55,10 @@ Result<ReadScene> read_scene(Session& session, Preview preview = {});
 // kScene with OpenSCAD's words where the scene is empty: nothing to draw.
 Result<void> check_something(const Canonical& canonical);
 
-// kScene with OpenSCAD's words where the scene is flat or empty: nothing to mesh.
+// kScene with OpenSCAD's words, and what to do about it, where the scene is flat.
+Result<void> check_not_flat(const Canonical& canonical);
+
+// The same where it is flat or empty: nothing to mesh.
 Result<void> check_solid(const Canonical& canonical);
 
 // For verbs whose answer must be whole (mesh, check, measure): refuses what dropped geometry (unless --allow-missing), is empty or is 2D.

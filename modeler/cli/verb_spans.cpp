@@ -77,7 +77,7 @@ Result<void> answer_all(const SpansRequest& request, Answerer& answerer) {
 Exit run_spans(Session& session) {
     const auto scene = read_scene(session);
     if (!scene) return give_up(session, scene.error());
-    if (scene->canonical.is_2d) return give_up(session, {Fault::kScene, "Current top level object is not a 3D object."});
+    if (const auto deep = check_not_flat(scene->canonical); !deep) return give_up(session, deep.error());
     const auto program = compile_scene(session, scene->canonical.solid);
     if (!program) return give_up(session, program.error());
     const UseTexts uses(leaf_uses(**program), scene->evaluated.sources);

@@ -146,10 +146,27 @@ TEST_CASE("an unknown name is answered with the nearest known one") {
     CHECK(hint_of("module wheel() {} wheal();") == "did you mean 'wheel'?");
     CHECK(hint_of("color(\"bleu\") cube();") == "did you mean \"blue\"?");
     CHECK(hint_of("zzzzzz();").empty());
+    CHECK(hint_of("diff() cube(1);") == "did you mean 'difference'?");
+    CHECK(hint_of("Cube(1);") == "did you mean 'cube'?");
+    CHECK(hint_of("cube(1, center = TRUE);") == "did you mean 'true'?");
+}
+
+TEST_CASE("what other languages call otherwise is answered with its name here") {
+    CHECK(hint_of("print(1);") == "did you mean 'echo'?");
+    CHECK(hint_of("x = None;") == "did you mean 'undef'?");
+    CHECK(hint_of("if (false) cube(1); elseif (true) cube(2);") == "'else if' is two words");
+    CHECK(hint_of("cube(10mm);") == "numbers have no units: '10mm' is read as a name");
+    CHECK(hint_of("x = cube(1);") == "'cube' is a module: it makes a body, which is no value");
+    CHECK(hint_of("function f() = 1; f();") == "'f' is a function: it makes a value, not a body");
+    CHECK(hint_of("module print() {} prin();") == "did you mean 'print'?");
+    CHECK(hint_of("x = 1 + \"a\";") == "texts are joined by str(a, b)");
+    CHECK(hint_of("cube(1) cube(2);") == "is a ';' missing behind cube(...)?");
 }
 
 TEST_CASE("a wrong argument is answered with the signature") {
     CHECK(hint_of("cube(1, foo=2);") == "expected cube(size, center)");
+    CHECK(hint_of("sphere(1, fn=20);") == "did you mean '$fn'? expected sphere(r) or sphere(d=)");
+    CHECK(hint_of("sphere(diameter=2);") == "did you mean 'd'? expected sphere(r) or sphere(d=)");
     CHECK(hint_of("echo(sin(1,2));") == "expected sin(degrees) -> number");
     CHECK(hint_of("module wheel(r, width) {} wheel(1, widht=2);") == "did you mean 'width'? expected wheel(r, width)");
     CHECK(hint_of("function f(a, b=1) = a; echo(f(1, 2, 3));") == "expected f(a, b)");

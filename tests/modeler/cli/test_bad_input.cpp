@@ -73,7 +73,7 @@ TEST_CASE("what is flat has no mesh and no measure") {
         const Outcome outcome = run_whittle({verb, scene});
         INFO(verb);
         CHECK(outcome.code == 1);
-        CHECK(contains(outcome.err, "Current top level object is not a 3D object."));
+        CHECK(contains(outcome.err, "Current top level object is not a 3D object.\nlinear_extrude(height) makes a solid of it"));
         CHECK(outcome.out.empty());
     }
 }
