@@ -13,7 +13,7 @@ struct EvaluationOptions {
 };
 
 // Prints a row a script: processor time (user and system, least of the rounds, which alternate), largest resident memory, the ratio, and whether the messages
-// are the same. Returns an exit code.
+// are the same; then the geometric mean of the ratios, and what a node of the scene takes in both. Returns an exit code.
 int time_evaluation(const EvaluationOptions& options);
 
 }  // namespace whittle::bench

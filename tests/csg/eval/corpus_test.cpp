@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/csg/eval/memory_files.h"
+#include "tests/support/corpus.h"
 
 namespace fs = std::filesystem;
 using namespace whittle;
@@ -14,31 +15,7 @@ using namespace whittle::test;
 
 namespace {
 
-const fs::path kCorpus = fs::path(WHITTLE_SOURCE_DIR) / "tests" / "corpus";
-
-// Where Whittle answers otherwise on purpose.
-const std::set<std::string> kBetterEcho{
-    "syntax_error_end",      // the line of the end of the text, not two lines behind it
-    "syntax_error_string",   // likewise, and one message for one error
-    "closures_in_loops",     // every iteration has its own variable, as in later versions
-    "color_unknown",         // a hint instead of an address
-    "points_bad",            // a bad point is said when the text is read, not when the shape is made
-    "head_additions",        // accepted as in later versions
-    "color_wrong",           // no address of a page
-    "syntax_error_brace",    // the line of the end of the text
-    "syntax_error_keyword",  // parsing goes on after an error
-    "syntax_error_module",   // likewise
-    "view_variables",        // nothing is wrong with setting the view
-};
-const std::set<std::string> kBetterCsg{"points_bad"};
-
-std::vector<std::string> scenes() {
-    std::vector<std::string> out;
-    for (const auto& entry : fs::directory_iterator(kCorpus))
-        if (entry.path().extension() == ".scad") out.push_back(entry.path().stem().string());
-    std::sort(out.begin(), out.end());
-    return out;
-}
+const fs::path kCorpus = corpus_folder();
 
 std::string stored(const std::string& name) { return DiscFiles().read_text((kCorpus / name).string()).value_or(""); }
 
@@ -56,31 +33,34 @@ Evaluated evaluated(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(scenes().size() >= 360); }
+TEST_CASE("the corpus has the scenes it is meant to have") { CHECK(corpus_scenes().size() >= 360); }
 
 TEST_CASE("messages of the corpus are OpenSCAD's") {
-    for (const std::string& name : scenes()) {
+    const auto better_echo = corpus_differences("echo");
+    CHECK(better_echo.size() == 11);
+    for (const std::string& name : corpus_scenes()) {
         INFO(name);
         const Evaluated made = evaluated(name);
         const std::string ours = echo_text(made.diagnostics, made.sources);
-        if (kBetterEcho.count(name)) CHECK(ours != stored(name + ".echo"));
+        if (better_echo.count(name)) CHECK(ours != stored(name + ".echo"));
         else CHECK(ours == stored(name + ".echo"));
     }
 }
 
 TEST_CASE("flattened scenes of the corpus are OpenSCAD's") {
-    for (const std::string& name : scenes()) {
+    const auto better_csg = corpus_differences("csg");
+    for (const std::string& name : corpus_scenes()) {
         if (!fs::exists(kCorpus / (name + ".csg"))) continue;
         INFO(name);
         const std::string ours = dump_csg(evaluated(name).scene);
-        if (kBetterCsg.count(name)) CHECK(ours != stored(name + ".csg"));
+        if (better_csg.count(name)) CHECK(ours != stored(name + ".csg"));
         else CHECK(ours == stored(name + ".csg"));
     }
 }
 
 TEST_CASE("programs of the corpus are written back as OpenSCAD writes them, comments of the customizer included") {
     int compared = 0;
-    for (const std::string& name : scenes()) {
+    for (const std::string& name : corpus_scenes()) {
         if (!fs::exists(kCorpus / (name + ".ast"))) continue;
         INFO(name);
         DiscFiles files;
@@ -116,15 +96,16 @@ TEST_CASE("every fact of the language has tests, and every scene of the corpus a
         CHECK(found > 0);
     }
     CHECK(count >= 100);
-    for (const std::string& name : scenes()) {
+    for (const std::string& name : corpus_scenes()) {
         INFO(name);
         CHECK(named.count(name) == 1);
     }
 }
 
 TEST_CASE("a flattened scene evaluates to itself") {
-    for (const std::string& name : scenes()) {
-        if (!fs::exists(kCorpus / (name + ".csg")) || kBetterCsg.count(name)) continue;
+    const auto better_csg = corpus_differences("csg");
+    for (const std::string& name : corpus_scenes()) {
+        if (!fs::exists(kCorpus / (name + ".csg")) || better_csg.count(name)) continue;
         if (name == "text_and_files") continue;  // timestamps and origins are not parameters
         const std::string flat = stored(name + ".csg");
         if (flat.find("inf") != std::string::npos || flat.find("1e+") != std::string::npos) continue;  // not numbers of the language
