@@ -45,6 +45,10 @@ Exit run(const Request& request) {
     const std::vector<Request> frames = frames_of(request);
     std::vector<std::string> outputs;
     for (const Request& frame : frames) outputs.insert(outputs.end(), frame.outputs.begin(), frame.outputs.end());
+    if (const auto room = check_folders(outputs); !room) {
+        console.error(room.error().message);
+        return Exit::kWorld;
+    }
     Watchdog watchdog({request.common.limit_seconds, request.common.limit_memory, request.common.limit_bytes}, outputs);
     std::optional<tbb::global_control> threads;
     if (request.common.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.common.threads));

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "csg/base/file.h"
 #include "csg/base/passes.h"
@@ -145,6 +146,16 @@ Result<ReadScene> read_scene(Session& session, Preview preview) {
 
 Result<void> check_something(const Canonical& canonical) {
     if (canonical.solid.root().node == kEmptyNode) return fail(Fault::kScene, "Current top level object is empty.");
+    return {};
+}
+
+Result<void> check_folders(const std::vector<std::string>& outputs) {
+    for (const std::string& path : outputs) {
+        const auto slash = path.rfind('/');
+        if (slash == std::string::npos) continue;
+        const std::string folder = path.substr(0, slash + 1);
+        if (::access(folder.c_str(), X_OK) != 0) return fail(Fault::kWorld, fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+    }
     return {};
 }
 

@@ -55,6 +55,9 @@ Result<ReadScene> read_scene(Session& session, Preview preview = {});
 // kScene with OpenSCAD's words where the scene is empty: nothing to draw.
 Result<void> check_something(const Canonical& canonical);
 
+// kWorld where the folder of an output is not there: said before the work, not after it.
+Result<void> check_folders(const std::vector<std::string>& outputs);
+
 // kScene with OpenSCAD's words, and what to do about it, where the scene is flat.
 Result<void> check_not_flat(const Canonical& canonical);
 

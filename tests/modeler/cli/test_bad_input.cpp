@@ -66,6 +66,20 @@ TEST_CASE("a scene that is wrong says so and writes nothing") {
     }
 }
 
+TEST_CASE("an output whose folder is not there is said before the scene is read") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("a.scad", "echo(\"read\"); cube(1);\n");
+    folder.file("file", "");
+    for (const char* out : {"none/a.stl", "none/a.png", "none/a.echo", "file/a.off"}) {
+        const Outcome outcome = run_whittle({"-o", folder.name(out), scene});
+        INFO(out);
+        CHECK(outcome.code == 3);
+        CHECK(contains(outcome.err, std::string("ERROR: cannot write '") + folder.name(out) + "': "));
+        CHECK_FALSE(contains(outcome.err, "read"));
+    }
+    CHECK(folder.names() == std::vector<std::string>{"a.scad", "file"});
+}
+
 TEST_CASE("what is flat has no mesh and no measure") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("a.scad", "square(3);\n");
