@@ -26,7 +26,7 @@ PlaneMap operator*(const PlaneMap& outer, const PlaneMap& inner) {
 }
 
 void OutlineBuilder::move_to(const PlaneMap& map, Vec2 p) {
-    close();
+    end();
     contours_.push_back({map.point(p), {}});
     open_ = true;
 }
@@ -60,14 +60,30 @@ void OutlineBuilder::arc(const PlaneMap& map, Vec2 centre, Vec2 u, Vec2 v, doubl
 
 void OutlineBuilder::close() {
     if (!open_) return;
+    DrawnContour& contour = contours_.back();
+    if (!contour.sides.empty() && contour.sides.back().end() != contour.start) contour.sides.push_back(DrawnSide::line(contour.start));
+    end();
+}
+
+// Contours without sides are dropped; what is open yet was left so.
+void OutlineBuilder::end() {
+    if (!open_) return;
     open_ = false;
     DrawnContour& contour = contours_.back();
-    if (contour.sides.empty()) contours_.pop_back();
-    else if (contour.sides.back().end() != contour.start) contour.sides.push_back(DrawnSide::line(contour.start));
+    if (contour.sides.empty()) return contours_.pop_back();
+    left_open_.push_back(contour.sides.back().end() != contour.start);
+    if (left_open_.back()) contour.sides.push_back(DrawnSide::line(contour.start));
+}
+
+std::vector<bool> OutlineBuilder::left_open() const {
+    std::vector<bool> out = left_open_;
+    if (open_ && !contours_.back().sides.empty()) out.push_back(contours_.back().sides.back().end() != contours_.back().start);
+    return out;
 }
 
 std::vector<DrawnContour> OutlineBuilder::take() {
-    close();
+    end();
+    left_open_.clear();
     return std::exchange(contours_, {});
 }
 

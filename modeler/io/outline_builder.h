@@ -28,11 +28,15 @@ public:
     void arc(const PlaneMap& map, Vec2 centre, Vec2 u, Vec2 v, double from, double sweep, Vec2 to);
     // Ends the contour; what is open is closed by a line.
     void close();
+    // For each contour that take() would give: did it end elsewhere than where it starts, without close()?
+    std::vector<bool> left_open() const;
     // The contours with at least one side. The builder is empty afterwards.
     std::vector<DrawnContour> take();
 
 private:
+    void end();
     std::vector<DrawnContour> contours_;
+    std::vector<bool> left_open_;  // of those that have ended
     bool open_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "modeler/io/svg_path.h"
+#include "modeler/io/svg_stroke.h"
 
 namespace whittle {
 namespace {
@@ -27,7 +28,6 @@ public:
     Result<Drawing> read(const xml_node& svg) {
         const PlaneMap sheet = sheet_of(svg);
         children(svg, sheet, 0, request_.layer.empty());
-        if (strokes_ > 0) drawing_.remarks.push_back(fmt::format("{} lines without an area passed over", strokes_));
         if (others_ > 0) drawing_.remarks.push_back(fmt::format("{} elements that are not drawn (text, images ...) passed over", others_));
         if (broken_ > 0) drawing_.remarks.push_back(fmt::format("{} paths end in an error, drawn up to there", broken_));
         if (request_.center) centre();
@@ -90,32 +90,104 @@ private:
 
     void element(const xml_node& node, const std::string& name, const PlaneMap& map) {
         OutlineBuilder builder;
-        if (name == "path") {
-            if (!add_path(builder, map, node.attribute("d").as_string())) ++broken_;
-        } else if (name == "polygon" || name == "polyline") {
-            const auto n = read_numbers(node.attribute("points").as_string());
-            for (std::size_t i = 0; i + 1 < n.size(); i += 2) i == 0 ? builder.move_to(map, {n[0], n[1]}) : builder.line_to(map, {n[i], n[i + 1]});
+        if (name == "path") return path(node, map);
+        if (name == "line" || name == "polyline") return line(node, name, map);
+        if (name == "polygon") {
+            add_points(builder, map, read_numbers(node.attribute("points").as_string()));
         } else if (name == "rect") {
             rectangle(builder, node, map);
         } else if (name == "circle" || name == "ellipse") {
             const Vec2 c{length(node, "cx"), length(node, "cy")};
             const double rx = length(node, name == "circle" ? "r" : "rx"), ry = length(node, name == "circle" ? "r" : "ry");
             if (rx > 0 && ry > 0) add_ellipse(builder, map, c, {rx, 0}, {0, ry});
-        } else if (name == "line") {
-            ++strokes_;
-            return;
         } else {
             if (name == "text" || name == "image" || name == "use" || name == "switch") ++others_;
             return;
         }
-        DrawnFigure figure{builder.take()};
+        add_figure({builder.take()});
+    }
+
+    void add_figure(DrawnFigure&& figure) {
         if (!figure.contours.empty()) drawing_.figures.push_back(std::move(figure));
+    }
+
+    void add_stroke(const xml_node& node, const DrawnContour& line, const PlaneMap& map) {
+        for (DrawnFigure& piece : stroked(line, pen_of(node), map)) add_figure(std::move(piece));
+    }
+
+    static void add_points(OutlineBuilder& builder, const PlaneMap& map, const std::vector<double>& n) {
+        for (std::size_t i = 0; i + 1 < n.size(); i += 2) i == 0 ? builder.move_to(map, {n[0], n[1]}) : builder.line_to(map, {n[i], n[i + 1]});
+    }
+
+    // As in OpenSCAD what the path closes is filled, and what it leaves open is as wide as its stroke.
+    void path(const xml_node& node, const PlaneMap& map) {
+        const char* data = node.attribute("d").as_string();
+        OutlineBuilder in_user_units, drawn;
+        if (!add_path(in_user_units, {}, data)) ++broken_;
+        add_path(drawn, map, data);
+        const std::vector<bool> open = in_user_units.left_open();
+        std::vector<DrawnContour> lines = in_user_units.take(), contours = drawn.take();
+        DrawnFigure filled;
+        for (std::size_t i = 0; i < contours.size(); ++i) {
+            if (!open[i]) {
+                filled.contours.push_back(std::move(contours[i]));
+                continue;
+            }
+            lines[i].sides.pop_back();  // which would close it
+            add_stroke(node, lines[i], map);
+        }
+        add_figure(std::move(filled));
+    }
+
+    // A stroke also where a polyline ends at its start.
+    void line(const xml_node& node, const std::string& name, const PlaneMap& map) {
+        OutlineBuilder builder;
+        if (name == "line") add_points(builder, {}, {length(node, "x1"), length(node, "y1"), length(node, "x2"), length(node, "y2")});
+        else add_points(builder, {}, read_numbers(node.attribute("points").as_string()));
+        const std::vector<bool> open = builder.left_open();
+        std::vector<DrawnContour> lines = builder.take();
+        if (lines.empty()) return;
+        if (open[0]) lines[0].sides.pop_back();
+        add_stroke(node, lines[0], map);
+    }
+
+    // An attribute of its own, else what `style` says; empty where neither does.
+    static std::string property(const xml_node& node, const char* name) {
+        if (const auto attribute = node.attribute(name)) return attribute.as_string();
+        const std::string_view style = node.attribute("style").as_string();
+        for (std::size_t at = 0; at < style.size();) {
+            const std::size_t end = std::min(style.find(';', at), style.size()), colon = style.find(':', at);
+            std::string_view key = style.substr(at, std::min(colon, end) - at);
+            key.remove_prefix(std::min(key.find_first_not_of(" \t\n"), key.size()));
+            if (colon < end && key == name) return std::string(style.substr(colon + 1, end - colon - 1));
+            at = end + 1;
+        }
+        return {};
+    }
+
+    // As OpenSCAD has it: a unit wide where no width is said or hardly one, square caps where none are said.
+    Pen pen_of(const xml_node& node) const {
+        constexpr double kThinnest = 0.01;
+        Pen pen;
+        SvgLength width;
+        if (read_length(property(node, "stroke-width"), width)) pen.width = in_user_units(width);
+        if (!(pen.width >= kThinnest && std::isfinite(pen.width))) pen.width = 1;
+        const std::string cap = property(node, "stroke-linecap"), join = property(node, "stroke-linejoin");
+        if (cap == "butt") pen.cap = LineCap::kButt;
+        if (cap == "round") pen.cap = LineCap::kRound;
+        if (join == "bevel") pen.join = LineJoin::kBevel;
+        if (join == "round") pen.join = LineJoin::kRound;
+        return pen;
+    }
+
+    double in_user_units(const SvgLength& length) const {
+        return length.unit.empty() || length.unit == "px" || length.unit == "%" ? length.number : mm_of(length, 0) * request_.dpi / 25.4;
     }
 
     double length(const xml_node& node, const char* name) const {
         SvgLength out;
         if (!read_length(node.attribute(name).as_string(), out)) return 0;
-        return out.unit.empty() || out.unit == "px" || out.unit == "%" ? out.number : mm_of(out, 0) * request_.dpi / 25.4;
+        return in_user_units(out);
     }
 
     void rectangle(OutlineBuilder& builder, const xml_node& node, const PlaneMap& map) const {
@@ -158,7 +230,7 @@ private:
 
     const DrawingRequest& request_;
     Drawing drawing_;
-    std::size_t strokes_ = 0, others_ = 0, broken_ = 0;
+    std::size_t others_ = 0, broken_ = 0;
 };
 
 }  // namespace
