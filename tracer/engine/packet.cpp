@@ -7,6 +7,8 @@
 #include "tracer/engine/packet.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <utility>
 
 #include "tracer/engine/gradient.h"
@@ -28,6 +30,7 @@ namespace whittle {
 
 HWY_EXPORT(tile_extremes);
 HWY_EXPORT(tile_hits);
+HWY_EXPORT(take_rows);
 HWY_EXPORT(finish_coarse_hits);
 
 namespace {
@@ -159,6 +162,12 @@ struct OneByOne {
     }
 };
 
+// The first deferred ray of a tile's from `k` on; `count` where there is none.
+std::size_t next_deferred(const TileMemory& m, std::size_t k, std::size_t count) {
+    const void* found = std::memchr(m.deferred.data() + k, 1, count - k);
+    return found == nullptr ? count : static_cast<std::size_t>(static_cast<const bool*>(found) - m.deferred.data());
+}
+
 // Rays and their hits in rows.
 struct InRows {
     const RayRows& rays;
@@ -182,22 +191,18 @@ struct InRows {
     }
     void take(const Program& program, const TileMemory& m, int first, int count, double t_max, Scratch& scratch) const {
         const auto n = static_cast<std::size_t>(count);
-        for (std::size_t k = 0; k < n; ++k) hits.t[static_cast<std::size_t>(first) + k] = m.t[k] <= t_max ? std::max(m.t[k], 0.0) : HUGE_VAL;
+        HWY_DYNAMIC_DISPATCH(take_rows)(m, n, t_max, hits.t + first, hits.surface + first, hits.use + first);
         if (!stand_in_place(n)) {
             std::copy_n(m.error, n, hits.t_error + first);
             for (std::size_t axis = 0; axis < 3; ++axis) std::copy_n(m.normal[axis], n, hits.normal[axis] + first);
         }
-        for (std::size_t k = 0; k < n; ++k) hits.surface[static_cast<std::size_t>(first) + k] = static_cast<ClassId>(m.id[k] >> 1);
-        for (std::size_t k = 0; k < n; ++k) hits.use[static_cast<std::size_t>(first) + k] = m.use[k] < HUGE_VAL ? static_cast<std::uint32_t>(m.use[k]) : 0;
         std::uint64_t alone = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-            if (m.deferred[k]) {
-                ++alone;
-                ask_alone(program, first + static_cast<int>(k), t_max, scratch);
-            } else if (program.some_uncertified && m.t[k] <= t_max && m.t[k] < HUGE_VAL) {
-                scratch.counters.uncertified += !program.class_labels[m.id[k] >> 1].exact;
-            }
+        for (std::size_t k = next_deferred(m, 0, n); k < n; k = next_deferred(m, k + 1, n)) {
+            ++alone;
+            ask_alone(program, first + static_cast<int>(k), t_max, scratch);
         }
+        for (std::size_t k = 0; program.some_uncertified && k < n; ++k)
+            if (!m.deferred[k] && m.t[k] <= t_max && m.t[k] < HUGE_VAL) scratch.counters.uncertified += !program.class_labels[m.id[k] >> 1].exact;
         scratch.counters.packet_deferred += alone;
         scratch.counters.packet_rays += n - alone;
         scratch.counters.skipped_by(EnginePass::kFirst) += n - alone;

@@ -60,10 +60,7 @@ std::size_t find_in_float(const Program& program, const TileBounds& bounds, std:
     double near = 0, far = HUGE_VAL;
     if (bounds.meets(corner(program.bounds.lo), corner(program.bounds.hi), near, far)) coarse.horizon = std::min(scope.horizon, kBehind * far);
     m.tree.begin(program, coarse);
-    HWY_DYNAMIC_DISPATCH(coarse_hits)(program, bounds, count, m);
-    std::size_t open = 0;
-    // Blocked is blocked, whatever else was close.
-    for (std::size_t k = 0; k < count; ++k) open += m.deferred[k] && m.coarse.t[k] != -HUGE_VALF ? 1 : 0;
+    const std::size_t open = HWY_DYNAMIC_DISPATCH(coarse_hits)(program, bounds, count, m);
     if (open * kLeastShare <= count) {
         m.coarse_failures = 0;
         return open;
