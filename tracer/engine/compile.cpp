@@ -59,7 +59,7 @@ void shrink(Program& program) {
     if (std::none_of(program.balls.begin(), program.balls.end(), [](const ItemBall& b) { return b.r > 0; })) program.balls.clear();
     const auto all = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
     all(program.frames, program.motions, program.classes, program.half_spaces, program.cell_slabs, program.leaves, program.leaf_boxes, program.class_labels, program.groups, program.refs,
-        program.balls, program.nodes, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
+        program.balls, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
         program.matter_order);
 }
 
@@ -231,12 +231,7 @@ private:
             const Hierarchy h = build_hierarchy(boxes, kItemCost, kMostInLeaf);
             g.first_item = static_cast<std::uint32_t>(program_.refs.size());
             g.item_count = static_cast<std::uint32_t>(items.size());
-            g.hierarchy = static_cast<std::uint32_t>(program_.nodes.size());
             for (const std::uint32_t i : h.order) program_.refs.push_back(items[i]);
-            for (BoxNode node : h.nodes) {
-                node.first += node.count > 0 ? g.first_item : g.hierarchy;
-                program_.nodes.push_back(node);
-            }
             std::vector<FloatBox> own;
             own.reserve(boxes.size());
             for (const std::uint32_t i : h.order) own.push_back(outward(boxes[i]));

@@ -177,25 +177,21 @@ std::size_t ConeFormula::gather_group(const Group& group) {
         const std::size_t part = gather(program_->refs[group.first_plain + i]);
         pending_.push_back(part);
     }
-    if (group.item_count > 0) gather_items(group, group.hierarchy);
+    if (group.item_count > 0) gather_items(group.wide);
     return add_with_children({false, group.is_and, false, false, false, 0, 0}, base);
 }
 
-void ConeFormula::gather_items(const Group& group, std::uint32_t at) {
-    const BoxNode& node = program_->nodes[at];
-    if (!meets(node.lo, node.hi)) return;
-    if (node.count == 0) {
-        gather_items(group, node.first);
-        gather_items(group, node.first + 1);
-        return;
-    }
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-        const Ref ref = program_->refs[node.first + i];
-        if (ref.is_leaf()) {
-            const FloatBox& box = program_->leaf_boxes[ref.index()];
-            if (!meets(box.lo, box.hi)) continue;
+void ConeFormula::gather_items(std::uint32_t at) {
+    const WideNode& node = program_->wide[at];
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+        std::array<float, 3> lo, hi;
+        for (std::size_t i = 0; i < 3; ++i) lo[i] = node.side[0][i][k], hi[i] = node.side[1][i][k];
+        if (!meets(lo, hi)) continue;
+        if (!node.child[k].is_item()) {
+            gather_items(node.child[k].index());
+            continue;
         }
-        const std::size_t part = gather(ref);
+        const std::size_t part = gather(program_->refs[node.child[k].index()]);
         pending_.push_back(part);
     }
 }

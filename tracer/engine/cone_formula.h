@@ -95,7 +95,7 @@ private:
     std::size_t gather(Ref ref);
     std::size_t gather_leaf(const Leaf& leaf);
     std::size_t gather_group(const Group& group);
-    void gather_items(const Group& group, std::uint32_t at);
+    void gather_items(std::uint32_t at);
     // Of the plane: beyond the cone's start, and before twice t, where the section is another.
     std::uint64_t points_ahead(const ConeSection& section, const Leaning& plane) const;
     const FrameLines& lines_in(std::uint32_t frame);

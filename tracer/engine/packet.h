@@ -51,6 +51,12 @@ struct NearRows {
     TileRow<Real> use;  // that the border shows; +inf where unknown yet
 };
 
+// A box that a tile may meet, none of its rays before `near`.
+struct WaitingBox {
+    WideChild child;
+    double near = 0;
+};
+
 struct TileMemory : NearRows<double, std::uint64_t> {
     // The rays, and what is told of their hits in the end besides t: rows of the caller's, or those below.
     std::array<const double*, 3> o, d;
@@ -76,6 +82,7 @@ struct TileMemory : NearRows<double, std::uint64_t> {
     bool labels_built = false;  // `labels` is of the octree's cell last met
     std::vector<RawLine> cuts, label_cuts, packets, bounds;
     std::vector<PacketMask> masks;  // by slot of the tree
+    std::vector<WaitingBox> waiting;
     std::vector<std::uint8_t> filled, label_filled;
 };
 

@@ -64,7 +64,7 @@ struct Group {
     Bounds box;
     std::uint32_t first_plain = 0, plain_count = 0;
     std::uint32_t first_item = 0, item_count = 0;  // into `refs`, in the hierarchy's order
-    std::uint32_t hierarchy = 0, wide = 0;         // root nodes in `nodes` and `wide`, if item_count > 0
+    std::uint32_t wide = 0;                        // root node in Program::wide, if item_count > 0
 };
 
 // How far from its box, in parts of its greatest side, a facet's crossing may lie where its class is another's plane: further away its own plane says
@@ -136,8 +136,7 @@ public:
     std::vector<ItemBall> balls;  // one a ref; empty where none is a ball
     // Null where the ref is anything else.
     const ItemBall* ball(std::uint32_t ref) const { return !balls.empty() && balls[ref].r > 0 ? &balls[ref] : nullptr; }
-    std::vector<BoxNode> nodes;
-    std::vector<WideNode> wide;   // the same hierarchies for single rays; their items are numbers of refs
+    std::vector<WideNode> wide;   // hierarchies of items, which are numbers of refs
     std::vector<SpaceNode> space;  // root first; empty where cells do not pay
     std::vector<FacetTree> facet_trees;
     std::vector<FacetChunk> facet_chunks;

@@ -8,77 +8,7 @@ namespace whittle {
 
 namespace {
 
-// A few roundings, relative, with plenty of room: culling may keep too much, never too little.
-constexpr double kRoom = 0x1p-44;
-
-double lower(double x) { return x - std::abs(x) * kRoom; }
-double upper(double x) { return x + std::abs(x) * kRoom; }
-
 std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1], x[2]}; }
-
-}  // namespace
-
-TileBounds tile_bounds(const TileExtremes& extremes) {
-    const auto& [o_lo, o_hi, d_lo, d_hi, least_square] = extremes;
-    (void)least_square;
-    TileBounds b;
-    b.extremes = extremes;
-    b.o_lo = o_lo;
-    b.o_hi = o_hi;
-    double best = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double least = d_lo[i] > 0 ? d_lo[i] : d_hi[i] < 0 ? -d_hi[i] : 0;
-        if (!(least > best)) continue;
-        best = least;
-        b.axis = i;
-        b.backward = d_hi[i] < 0;
-    }
-    b.slowest = best;
-    b.fastest = std::max(std::abs(d_lo[b.axis]), std::abs(d_hi[b.axis]));
-    b.coherent = best >= 0x1p-500 && b.fastest < 2 * b.slowest;
-    for (std::size_t i = 0; i < 3; ++i) {
-        b.coherent = b.coherent && std::isfinite(o_lo[i]) && std::isfinite(o_hi[i]) && std::isfinite(d_lo[i]) && std::isfinite(d_hi[i]);
-        if (i == b.axis) continue;
-        b.n_lo[i] = lower(d_lo[i] < 0 ? d_lo[i] / b.slowest : d_lo[i] / b.fastest);
-        b.n_hi[i] = upper(d_hi[i] > 0 ? d_hi[i] / b.slowest : d_hi[i] / b.fastest);
-        if (b.n_lo[i] == 0) b.n_lo[i] = -std::numeric_limits<double>::min();
-        if (b.n_hi[i] == 0) b.n_hi[i] = std::numeric_limits<double>::min();
-        b.inverse_lo[i] = 1 / b.n_lo[i];
-        b.inverse_hi[i] = 1 / b.n_hi[i];
-    }
-    return b;
-}
-
-bool TileBounds::meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const {
-    if (!culls) {
-        near = 0, far = HUGE_VAL;
-        return true;
-    }
-    if (rays_meet) return rays_meet(rays, lo, hi, near, far);
-    const double ahead_lo = backward ? o_lo[axis] - hi[axis] : lo[axis] - o_hi[axis];
-    const double ahead_hi = backward ? o_hi[axis] - lo[axis] : hi[axis] - o_lo[axis];
-    double w0 = std::max(0.0, ahead_lo), w1 = ahead_hi;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (i == axis) continue;
-        // The upper line o_hi + w n_hi must not stay below lo, nor the lower one above hi.
-        const double rise = (lo[i] - o_hi[i]) * inverse_hi[i], fall = (hi[i] - o_lo[i]) * inverse_lo[i];
-        if (n_hi[i] > 0) {
-            w0 = rise > w0 ? rise : w0;
-        } else {
-            w1 = rise < w1 ? rise : w1;
-        }
-        if (n_lo[i] < 0) {
-            w0 = fall > w0 ? fall : w0;
-        } else {
-            w1 = fall < w1 ? fall : w1;
-        }
-    }
-    near = lower(lower(w0) / fastest);
-    far = upper(upper(w1) / slowest);
-    return lower(w0) <= upper(w1) && w1 >= 0;
-}
-
-namespace {
 
 // The extremes of the tile in a frame: centre and half lengths of their boxes taken through the inverse.
 TileExtremes in_frame(const TileExtremes& e, const Frame& frame) {
@@ -90,8 +20,8 @@ TileExtremes in_frame(const TileExtremes& e, const Frame& frame) {
             const double from = 0.5 * (e.o_lo[j] + e.o_hi[j]) - frame.placement.offset(static_cast<int>(j)), way = 0.5 * (e.d_lo[j] + e.d_hi[j]);
             o += k * from;
             d += k * way;
-            ho += size * (0.5 * (e.o_hi[j] - e.o_lo[j]) + kRoom * (std::abs(from) + std::abs(frame.placement.offset(static_cast<int>(j)))));
-            hd += size * (0.5 * (e.d_hi[j] - e.d_lo[j]) + kRoom * std::abs(way));
+            ho += size * (0.5 * (e.o_hi[j] - e.o_lo[j]) + kRoomOfBounds * (std::abs(from) + std::abs(frame.placement.offset(static_cast<int>(j)))));
+            hd += size * (0.5 * (e.d_hi[j] - e.d_lo[j]) + kRoomOfBounds * std::abs(way));
         }
         r.o_lo[i] = o - ho, r.o_hi[i] = o + ho;
         r.d_lo[i] = d - hd, r.d_hi[i] = d + hd;
@@ -104,8 +34,8 @@ void local_box(const Program& program, const Leaf& leaf, FrameId frame, std::arr
     lo.fill(-HUGE_VAL);
     hi.fill(HUGE_VAL);
     const auto within = [&](std::size_t i, double centre, double r) {
-        lo[i] = std::max(lo[i], lower(centre - r) - kRoom * r);
-        hi[i] = std::min(hi[i], upper(centre + r) + kRoom * r);
+        lo[i] = std::max(lo[i], outward_down(centre - r) - kRoomOfBounds * r);
+        hi[i] = std::min(hi[i], outward_up(centre + r) + kRoomOfBounds * r);
     };
     for (std::uint32_t k = 0; k < leaf.count; ++k) {
         const HalfSpace h = program.half_spaces[leaf.first + k];
@@ -298,20 +228,25 @@ std::uint32_t TileTree::add_group(const Program& program, const TileBounds& boun
     };
     for (std::uint32_t i = 0; open && i < g.plain_count; ++i) take(program.refs[g.first_plain + i]);
     if (open && g.item_count > 0) {
-        std::array<std::uint32_t, 128> stack;
-        std::size_t top = 0;
-        stack[top++] = g.hierarchy;
-        while (open && top > 0) {
-            const BoxNode& node = program.nodes[stack[--top]];
-            double near = 0, far = 0;
-            if (!meets(bounds, widened(node.lo), widened(node.hi), near, far) || beyond(near)) continue;
-            if (node.count == 0) {
-                stack[top++] = node.first + 1;
-                stack[top++] = node.first;
+        const std::size_t base = waiting_.size();
+        waiting_.push_back(WideChild::node(g.wide));
+        while (open && waiting_.size() > base) {
+            const WideChild at = waiting_.back();
+            waiting_.pop_back();
+            if (at.is_item()) {
+                take(program.refs[at.index()]);
                 continue;
             }
-            for (std::uint32_t i = 0; open && i < node.count; ++i) take(program.refs[node.first + i]);
+            const WideNode& node = program.wide[at.index()];
+            std::array<double, kWideBoxes> near;
+            const std::uint32_t met = boxes_met(node, bounds, near);
+            work.pruned += node.count - static_cast<std::uint32_t>(__builtin_popcount(met));
+            for (std::uint32_t left = met; left != 0; left &= left - 1) {
+                const auto k = static_cast<std::size_t>(__builtin_ctz(left));
+                if (!beyond(near[k])) waiting_.push_back(node.child[k]);
+            }
         }
+        waiting_.resize(base);
     }
     n.always = n.always || g.always;
     const bool held = g.hold != Group::kNoUse;

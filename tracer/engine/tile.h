@@ -1,44 +1,18 @@
-// tile.h — the part of a program that a tile of rays can meet: bounds of the rays, and the formula folded to what lies within them. Private to the engine.
-//
-// Along the main axis k of the tile's directions every ray is x_i(w) = o_i + w n_i, w >= 0 the way along k: intervals of o_i and n_i bound all rays, and
-// a box cuts an interval of w out of them, as a slab test does for one ray. What the tile misses has its value outside its box and folds away.
+// tile.h — the part of a program that a tile of rays can meet: the formula folded to what lies within the tile's bounds. What the tile misses has its value
+// outside its box and folds away. Private to the engine.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "tracer/engine/coarse_view.h"
+#include "tracer/engine/tile_bounds.h"
+#include "tracer/engine/wide.h"
 
 namespace whittle {
 
 inline constexpr int kTileRays = 256;
 
-// Of the coordinates of a tile's origins and directions, and of the square of its directions' lengths.
-struct TileExtremes {
-    std::array<double, 3> o_lo, o_hi, d_lo, d_hi;
-    double least_square = 0;
-};
-
-// Bounds of a tile's rays. Built from extremes of origins and directions; every result errs outward.
-struct TileBounds {
-    bool coherent = false;  // else nothing below holds
-    bool culls = true;      // false: meets() is always true
-    std::size_t axis = 0;
-    bool backward = false;
-    std::array<double, 3> o_lo, o_hi;
-    std::array<double, 3> n_lo, n_hi, inverse_lo, inverse_hi;  // of d_i / |d_axis|, i != axis; never 0
-    double slowest = 0, fastest = 0;                           // of |d_axis|
-
-    TileExtremes extremes;
-    // Of rays that do not go together: every ray against every box. Set by the packets, with what it is called for.
-    bool (*rays_meet)(const void* rays, const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) = nullptr;
-    const void* rays = nullptr;
-
-    // False: no ray of the tile meets the box at t >= 0. [near, far] holds t wherever one does.
-    bool meets(const std::array<double, 3>& lo, const std::array<double, 3>& hi, double& near, double& far) const;
-};
-
-TileBounds tile_bounds(const TileExtremes& extremes);
 // Work done on tiles since it was last taken.
 struct TileWork {
     std::uint64_t tests = 0;     // cells met, times lanes
@@ -134,6 +108,7 @@ private:
         bool met = false;
     };
     std::vector<std::uint32_t> pending_;
+    std::vector<WideChild> waiting_;  // boxes that add_group() has yet to look into
     std::vector<Placed> placed_;
     std::vector<Folded> folded_;  // by leaf
     std::uint32_t stamp_ = 0;

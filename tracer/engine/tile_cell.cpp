@@ -389,7 +389,8 @@ RoundLimits round_limits(const RoundDirections& way, double o, double eo, double
     limits.least_a = still ? HUGE_VAL : least_a;
     if (still) return limits;
     const double edisc = (2 * b * eb + eb * eb + a * ec + rr * ea + ea * ec + 4 * unit * (b * b + a * rr)) * kRoom;
-    const double cosine = std::max(kLeastCosine, horizon < HUGE_VAL ? std::cbrt(40 * edisc / (least_a * root_a * r * horizon)) : 0);
+    const double cube = horizon < HUGE_VAL ? 40 * edisc / (least_a * root_a * r * horizon) : 0;
+    const double cosine = cube > kLeastCosine * kLeastCosine * kLeastCosine ? std::cbrt(cube) : kLeastCosine;
     limits.met = std::max(cosine * cosine * least_a * r * r, 4 * edisc);
     const double half = 1.2 * r / root_a + b / least_a;
     limits.error = 1.1 * ((eb + 0.625 * edisc / std::sqrt(limits.met)) / least_a + half * (ea / least_a + 8 * unit));

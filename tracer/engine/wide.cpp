@@ -15,6 +15,7 @@ namespace whittle {
 
 HWY_EXPORT(boxes_ahead_of);
 HWY_EXPORT(boxes_touched_by);
+HWY_EXPORT(boxes_met_by);
 
 BoxesAheadOf boxes_ahead() { return &HWY_DYNAMIC_DISPATCH(boxes_ahead_of); }
 BoxesTouchedBy boxes_touched() { return &HWY_DYNAMIC_DISPATCH(boxes_touched_by); }
@@ -109,6 +110,18 @@ private:
 };
 
 }  // namespace
+
+std::uint32_t boxes_met(const WideNode& node, const TileBounds& bounds, std::array<double, kWideBoxes>& near) {
+    if (bounds.culls && bounds.rays_meet == nullptr) return HWY_DYNAMIC_DISPATCH(boxes_met_by)(node, bounds, near);
+    std::uint32_t met = 0;
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+        std::array<double, 3> lo, hi;
+        for (std::size_t i = 0; i < 3; ++i) lo[i] = node.side[0][i][k], hi[i] = node.side[1][i][k];
+        double far = 0;
+        if (bounds.meets(lo, hi, near[k], far)) met |= 1u << k;
+    }
+    return met;
+}
 
 std::uint32_t widen(const Hierarchy& hierarchy, const std::vector<FloatBox>& boxes, std::uint32_t first_item, std::vector<WideNode>& nodes) {
     return Widener(hierarchy, boxes, first_item, nodes).add(0);

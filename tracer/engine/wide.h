@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tracer/engine/bvh.h"
+#include "tracer/engine/tile_bounds.h"
 
 namespace whittle {
 
@@ -47,5 +48,8 @@ using BoxesTouchedBy = std::uint32_t (*)(const WideNode& node, const FloatBox& b
 // For the processor at hand: the answers are the same on every one.
 BoxesAheadOf boxes_ahead();
 BoxesTouchedBy boxes_touched();
+
+// Children by bit whose boxes the tile's rays may meet at t >= 0, none before `near`.
+std::uint32_t boxes_met(const WideNode& node, const TileBounds& bounds, std::array<double, kWideBoxes>& near);
 
 }  // namespace whittle

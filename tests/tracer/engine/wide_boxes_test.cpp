@@ -127,3 +127,62 @@ TEST_CASE("a box touches in the wide hierarchy the items whose boxes it touches,
         CHECK(touched > 0);
     }
 }
+
+TEST_CASE("a tile meets in a node the boxes that one by one it meets, on every instruction set, and no ray before it is told to") {
+    Random random(9);
+    std::size_t met = 0, missed = 0;
+    for (int k = 0; k < 1500; ++k) {
+        std::vector<Bounds> bounds = random_boxes(random, 1 + k % 8);
+        const Hierarchy binary = build_hierarchy(bounds, 4, 2);
+        std::vector<FloatBox> boxes;
+        for (const std::uint32_t i : binary.order) boxes.push_back(outward(bounds[i]));
+        std::vector<WideNode> nodes;
+        const WideNode& node = nodes[widen(binary, boxes, 0, nodes)];
+        // Rays that spread out, some from one point, some backward, some as good as along an axis.
+        Ray middle = random.ray_through({Vec3(-10), Vec3(10)});
+        if (k % 5 == 0) middle.direction = {0, 0, k % 2 ? 1.0 : -1.0};
+        const double spread = k % 3 == 0 ? 0 : random.between(0, 2), turn = std::exp2(random.between(-12, -3)) * glm::length(middle.direction);
+        std::vector<Ray> rays(16, middle);
+        TileExtremes e;
+        e.least_square = HUGE_VAL;
+        for (Ray& ray : rays) {
+            ray.origin += spread * random.point({Vec3(-1), Vec3(1)});
+            ray.direction += turn * random.point({Vec3(-1), Vec3(1)});
+            e.least_square = std::min(e.least_square, glm::dot(ray.direction, ray.direction));
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double o = ray.origin[static_cast<int>(i)], d = ray.direction[static_cast<int>(i)];
+                const bool first = &ray == rays.data();
+                e.o_lo[i] = first ? o : std::min(e.o_lo[i], o), e.o_hi[i] = first ? o : std::max(e.o_hi[i], o);
+                e.d_lo[i] = first ? d : std::min(e.d_lo[i], d), e.d_hi[i] = first ? d : std::max(e.d_hi[i], d);
+            }
+        }
+        const TileBounds tile = tile_bounds(e);
+        REQUIRE(tile.coherent);
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+            hwy::SetSupportedTargetsForTest(target);
+            std::array<double, kWideBoxes> near{};
+            const std::uint32_t found = boxes_met(node, tile, near);
+            INFO(hwy::TargetName(target) << " tile " << k);
+            CHECK(found >> node.count == 0);
+            for (std::uint32_t c = 0; c < node.count; ++c) {
+                const FloatBox& box = boxes[node.child[c].index()];
+                double one = 0, far = 0;
+                const std::array<double, 3> lo{box.lo[0], box.lo[1], box.lo[2]}, hi{box.hi[0], box.hi[1], box.hi[2]};
+                const bool alone = tile.meets(lo, hi, one, far), together = (found >> c & 1) != 0;
+                CHECK(alone == together);
+                (together ? met : missed) += 1;
+                if (together) CHECK(std::abs(near[c] - one) <= 0x1p-40 * one);
+                for (const Ray& ray : rays) {
+                    double from = 0, to = 0;
+                    const SlabRay slab = slab_ray({ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
+                    if (!slab_interval(box.lo, box.hi, slab, from, to) || to < 0) continue;
+                    CHECK(together);
+                    CHECK(near[c] <= std::max(from, 0.0));
+                }
+            }
+        }
+        hwy::SetSupportedTargetsForTest(0);
+    }
+    CHECK(met > 500);
+    CHECK(missed > 500);
+}
