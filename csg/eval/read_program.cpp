@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "csg/eval/large_stack.h"
 #include "csg/lang/lexer.h"
 #include "csg/lang/parser.h"
 
@@ -121,6 +122,7 @@ void ProgramReader::add_definitions(std::vector<Token>& tokens, StringPool& stri
 
 bool ProgramReader::parse_file(std::uint32_t index, std::vector<Token> tokens, StringPool strings, std::uint32_t source, std::uint32_t definitions) {
     ParseOptions options;
+    options.deepest = kDeepestTree;
     options.sources = &out_.sources;
     options.main_file = source;
     options.definitions_file = definitions;

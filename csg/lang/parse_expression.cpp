@@ -51,7 +51,7 @@ ExprId Parser::make(ExprKind made, SourcePlace place, std::uint32_t a, std::uint
 void Parser::deepen(ExprId id, std::uint32_t depth) {
     Expr& e = ast_.exprs[id];
     e.depth = std::max(e.depth, depth + 1);
-    if (e.depth > 2 * kMaxNesting) too_deep();
+    if (e.depth > options_.deepest) too_deep("more than " + std::to_string(options_.deepest) + " operators within each other");
 }
 
 // Messages name the line where an expression starts; on that line the caret stands under the operator.
@@ -159,7 +159,8 @@ ExprId Parser::power() {
 
 ExprId Parser::postfix() {
     ExprId value = primary();
-    for (;;) {
+    for (std::uint32_t links = 0;; ++links) {
+        if (links > 2 * kMaxNesting) too_deep("a chain of more than " + std::to_string(2 * kMaxNesting) + " calls and indices");
         const SourcePlace place = infix_place(value, now().place);
         if (take_if(Tok::kOpenParen)) {
             const ArgumentRange list = arguments();

@@ -39,9 +39,8 @@ void Parser::syntax_error(std::string hint) {
     throw SyntaxError{};
 }
 
-void Parser::too_deep() {
-    diagnostics_.add(Severity::kError, now().place, "Parser error: memory exhausted",
-                     "nested more than " + std::to_string(kMaxNesting) + " levels deep");
+void Parser::too_deep(const std::string& limit) {
+    diagnostics_.add(Severity::kError, now().place, "Parser error: memory exhausted", limit);
     ++errors_;
     throw TooManyErrors{};
 }

@@ -22,10 +22,11 @@ struct ParseOptions {
     const SourceTable* sources = nullptr;         // where the tokens' files are named
     std::uint32_t main_file = 0;                  // overwriting a value that an included file set is no mistake
     std::uint32_t definitions_file = ast::kNone;  // -D: overwriting is their purpose
+    std::uint32_t deepest = 2 * kMaxNesting;      // of a tree's depth, which chains of operators reach without brackets: a + b + c ...
 };
 
 // `tokens` end with kEnd and hold no kInclude. `strings` moves into the tree. True when no error was found; the tree is whole only then.
-// Requires: runs on a stack that carries kMaxNesting levels.
+// Requires: runs on a stack that carries kMaxNesting levels; walks over the tree need one that carries options.deepest.
 bool parse_tokens(const std::vector<Token>& tokens, std::vector<std::string> strings, const Names& names, const ParseOptions& options,
                   Diagnostics& diagnostics, ast::Ast& out);
 

@@ -38,7 +38,7 @@ private:
     void expect(Tok wanted, const char* where);
     // Says what is wrong with the current word: `hint`, and behind it what the author may have meant.
     [[noreturn]] void syntax_error(std::string hint);
-    [[noreturn]] void too_deep();
+    [[noreturn]] void too_deep(const std::string& limit);
 
     // What the author may have meant (lessons.cpp).
     std::string found() const;   // how the current word is written: "'width'", "a number", "';'"
@@ -88,7 +88,7 @@ private:
     // One level of nesting for as long as it lives.
     struct Level {
         explicit Level(Parser& p) : parser(p) {
-            if (++parser.level_ > kMaxNesting) parser.too_deep();
+            if (++parser.level_ > kMaxNesting) parser.too_deep("nested more than " + std::to_string(kMaxNesting) + " levels deep");
         }
         ~Level() { --parser.level_; }
         Parser& parser;

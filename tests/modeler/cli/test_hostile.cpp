@@ -1,6 +1,7 @@
 // test_hostile.cpp — scenes and files made to hurt: a message, an exit code, within the limits; never a crash.
 #include <catch2/catch.hpp>
 
+#include "csg/eval/large_stack.h"
 #include "run_program.h"
 
 namespace {
@@ -31,6 +32,19 @@ TEST_CASE("a hundred thousand brackets of any kind are refused with a place") {
         CHECK(outcome.code == 1);
         CHECK(contains(outcome.err, "in file a.scad, line 1"));
     }
+}
+
+TEST_CASE("operators may be chained as long as generated texts chain them") {
+    constexpr std::size_t kMany = whittle::kDeepestTree - 10;
+    const TemporaryFolder folder;
+    const std::string number = std::to_string(kMany + 1);
+    CHECK(echo_of(folder, "echo(str(1" + repeated(" + 1", kMany) + "), true" + repeated(" && true", kMany) + ", ([1]" + repeated(" + [1]", kMany) + ")[0] / " + number + ");").code == 0);
+    CHECK(folder.read("a.echo") == "ECHO: \"" + number + "\", true, 1\n");
+    CHECK(echo_of(folder, "function f(x) = x < 1 ? 0 : f(x - 1)" + repeated(" + 1", kMany - 10) + "; echo(f(2));").code == 0);
+    CHECK(folder.read("a.echo") == "ECHO: " + std::to_string(2 * (kMany - 10)) + "\n");
+    const Outcome longer = echo_of(folder, "a = 1" + repeated(" + 1", kMany + 20) + ";");
+    CHECK(longer.code == 1);
+    CHECK(contains(longer.err, "more than " + std::to_string(whittle::kDeepestTree) + " operators within each other"));
 }
 
 TEST_CASE("vectors of a million elements are read and made") {
