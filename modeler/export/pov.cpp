@@ -86,9 +86,9 @@ private:
         auto body = shape ? leaf(node, *shape) : combination(std::get<Combination>(solid_.node(node)), material, place);
         if (!body) return body;
         if (shape && !(place.cuts && !material.names_surface())) {
-            const auto surface = resolve_surface(material);
-            if (!surface) return tl::unexpected(surface.error());
-            *body += texture_of(*surface);
+            const auto texture = texture_of_paint(paint);
+            if (!texture) return texture;
+            *body += *texture;
         }
         if (shape) *body += pov_matrix(growth_.grown(solid_.bounds(node), place));
         return names_[key] = declare(*body + "}");
@@ -101,10 +101,20 @@ private:
     }
 
     std::size_t paint_of(const Material& material) {
-        for (std::size_t i = 0; i < materials_.size(); ++i)
-            if (materials_[i] == material) return i;
-        materials_.push_back(material);
-        return materials_.size() - 1;
+        for (std::size_t i = 0; i < paints_.size(); ++i)
+            if (paints_[i].material == material) return i;
+        paints_.push_back({material, {}});
+        return paints_.size() - 1;
+    }
+
+    Result<std::string> texture_of_paint(std::size_t paint) {
+        Paint& p = paints_[paint];
+        if (p.texture.empty()) {
+            const auto surface = resolve_surface(p.material);
+            if (!surface) return tl::unexpected(surface.error());
+            p.texture = texture_of(*surface);
+        }
+        return p.texture;
     }
 
     const char* opening_of(SetOp op) const { return op == SetOp::kUnion ? (inner_faces_show_ ? "merge{" : "union{") : op == SetOp::kIntersection ? "intersection{" : "difference{"; }
@@ -224,7 +234,11 @@ private:
     bool inner_faces_show_;
     PovGrowth growth_;
     std::map<std::tuple<NodeId, std::size_t, bool, PovGrowth::Key>, std::string> names_;
-    std::vector<Material> materials_;
+    struct Paint {
+        Material material;
+        std::string texture;  // written when first asked for
+    };
+    std::vector<Paint> paints_;
     std::size_t declared_ = 0, meshes_ = 0;
 };
 
