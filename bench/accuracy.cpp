@@ -106,7 +106,7 @@ void row(Tables& tables, const std::string& what, const std::string& scene, cons
 LightLine& line_of(LightPanel& panel, const std::string& name) {
     for (LightLine& line : panel.lines)
         if (line.name == name) return line;
-    panel.lines.push_back({name, {}, 0});
+    panel.lines.push_back({name, {}, {}, 0});
     return panel.lines.back();
 }
 

@@ -51,7 +51,7 @@ struct Drawn {
     double seconds = 0;
 };
 
-std::optional<Drawn> drawn(const Staged& staged, const LightOptions& options, Integrator integrator, int samples, std::uint64_t seed) {
+std::optional<Drawn> drawn(const Staged& staged, const LightOptions& options, Integrator integrator, SamplerKind sampler, int samples, std::uint64_t seed) {
     RenderScene scene;
     scene.lights = staged.evaluated.scene.lights;
     scene.camera = staged.evaluated.scene.camera;
@@ -62,6 +62,7 @@ std::optional<Drawn> drawn(const Staged& staged, const LightOptions& options, In
     o.height = options.height;
     o.samples = samples;
     o.integrator = integrator;
+    o.sampler = sampler;
     o.seed = seed;
     o.threads = 1;
     RenderControl control;
@@ -82,16 +83,13 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// All rows of one integrator, as a line of the plot.
-std::optional<LightLine> measured(const Staged& scene, const LightOptions& options, const std::string& name, const Drawn& truth) {
-    const Integrator integrator = *integrator_named(name);
-    const std::optional<Drawn> converged = drawn(scene, options, integrator, options.reference_samples, 1);
-    if (!converged) return std::nullopt;
-    LightLine line{name, {}, distance(converged->pixels, truth.pixels)};
+// All rows of one integrator and sampler, as a line of the plot.
+std::optional<LightLine> measured(const Staged& scene, const LightOptions& options, const LightLine& named, const Drawn& converged) {
+    LightLine line = named;
     for (int samples = 1; samples <= options.most_samples; samples *= 4) {
-        const std::optional<Drawn> picture = drawn(scene, options, integrator, samples, 0);
+        const std::optional<Drawn> picture = drawn(scene, options, *integrator_named(line.name), *sampler_named(line.sampler), samples, 0);
         if (!picture) return std::nullopt;
-        line.points.push_back({samples, picture->seconds, distance(picture->pixels, converged->pixels)});
+        line.points.push_back({samples, picture->seconds, distance(picture->pixels, converged.pixels)});
     }
     return line;
 }
@@ -99,8 +97,8 @@ std::optional<LightLine> measured(const Staged& scene, const LightOptions& optio
 std::string print(const std::string& scene, const LightLine& line) {
     std::string rows;
     for (const LightPoint& p : line.points) {
-        fmt::print("{:16} {:12} {:5} samples {:9.4f} s   rmse {:.5f}   bias {:.5f}\n", scene, line.name, p.samples, p.seconds, p.error, line.bias);
-        rows += fmt::format("{},{},{},{},{},{}\n", scene, line.name, p.samples, p.seconds, p.error, line.bias);
+        fmt::print("{:16} {:12} {:12} {:5} samples {:9.4f} s   rmse {:.5f}   bias {:.5f}\n", scene, line.name, line.sampler, p.samples, p.seconds, p.error, line.bias);
+        rows += fmt::format("{},{},{},{},{},{},{}\n", scene, line.name, line.sampler, p.samples, p.seconds, p.error, line.bias);
     }
     std::fflush(stdout);
     return rows;
@@ -113,24 +111,35 @@ bool written(const std::string& path, const std::string& text) {
     return static_cast<bool>(out);
 }
 
-}  // namespace
-
-int time_light(const LightOptions& options) {
-    std::string rows = "scene,integrator,samples,cpu_seconds,rmse,bias\n";
-    std::vector<LightPanel> panels;
-    for (const std::string& name : options.scenes) {
-        const std::optional<Staged> scene = staged(options.folder + "/" + name + ".scad");
-        if (!scene) return 1;
-        const std::optional<Drawn> truth = drawn(*scene, options, Integrator::kPath, options.reference_samples, 2);
-        if (!truth) return 1;
-        LightPanel panel{name, {}};
-        for (const std::string& integrator : options.integrators) {
-            std::optional<LightLine> line = measured(*scene, options, integrator, *truth);
-            if (!line) return 1;
+// All lines of a scene; none where something could not be drawn. Rows are printed and added to `rows`.
+std::optional<LightPanel> panel_of(const LightOptions& options, const std::string& name, std::string& rows) {
+    const std::optional<Staged> scene = staged(options.folder + "/" + name + ".scad");
+    if (!scene) return std::nullopt;
+    const std::optional<Drawn> truth = drawn(*scene, options, Integrator::kPath, SamplerKind::kSobol, options.reference_samples, 2);
+    if (!truth) return std::nullopt;
+    LightPanel panel{name, {}};
+    for (const std::string& integrator : options.integrators) {
+        const std::optional<Drawn> converged = drawn(*scene, options, *integrator_named(integrator), SamplerKind::kSobol, options.reference_samples, 1);
+        if (!converged) return std::nullopt;
+        for (const std::string& sampler : options.samplers) {
+            std::optional<LightLine> line = measured(*scene, options, {integrator, sampler, {}, distance(converged->pixels, truth->pixels)}, *converged);
+            if (!line) return std::nullopt;
             rows += print(name, *line);
             panel.lines.push_back(std::move(*line));
         }
-        panels.push_back(std::move(panel));
+    }
+    return panel;
+}
+
+}  // namespace
+
+int time_light(const LightOptions& options) {
+    std::string rows = "scene,integrator,sampler,samples,cpu_seconds,rmse,bias\n";
+    std::vector<LightPanel> panels;
+    for (const std::string& name : options.scenes) {
+        std::optional<LightPanel> panel = panel_of(options, name, rows);
+        if (!panel) return 1;
+        panels.push_back(std::move(*panel));
     }
     return written(options.csv, rows) && written(options.svg, light_plot(panels)) ? 0 : 3;
 }

@@ -1,4 +1,4 @@
-// light.h — pictures: processor time against error, an integrator and a number of samples a row.
+// light.h — pictures: processor time against error, an integrator, a sampler and a number of samples a row.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@ struct LightOptions {
     std::string folder = "examples";  // of the scenes
     std::vector<std::string> scenes{"carved_cube", "bearing", "glass_of_water", "lens", "lattice", "castle", "mug", "chain"};
     std::vector<std::string> integrators{"whitted", "distributed", "path"};
+    std::vector<std::string> samplers{"sobol", "stratified", "independent"};
     int width = 96, height = 72;
     int most_samples = 64;         // 1, 4, 16 ... up to this
     int reference_samples = 1024;  // of each integrator's own reference, with another seed

@@ -14,6 +14,33 @@ constexpr double kWidth = 260, kHeight = 190, kLeft = 44, kTop = 26, kBottom = 3
 constexpr int kColumns = 4;
 constexpr std::array<const char*, 6> kInks{"#1b6ca8", "#d1495b", "#3a7d44", "#e09f3e", "#6a4c93", "#444444"};
 
+constexpr std::array<const char*, 3> kDashes{"", "5 2", "1 2"};
+
+// The names by which lines have inks, or those by which they are dashed, in the order they come.
+std::vector<std::string> names_of(const LightPanel& p, std::string LightLine::* name) {
+    std::vector<std::string> names;
+    for (const LightLine& line : p.lines)
+        if (!(line.*name).empty() && std::find(names.begin(), names.end(), line.*name) == names.end()) names.push_back(line.*name);
+    return names;
+}
+
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::string dash(std::size_t i) { return kDashes[i % kDashes.size()][0] ? fmt::format(" stroke-dasharray='{}'", kDashes[i % kDashes.size()]) : std::string(); }
+
+// Below the plot's upper right corner: inks, then dashes.
+std::string legend(const std::vector<std::string>& inks, const std::vector<std::string>& dashes, double right) {
+    std::string svg;
+    double y = kTop + 10;
+    for (std::size_t i = 0; i < inks.size(); ++i, y += 11)
+        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='end'>{}</text>\n", right, y, kInks[i % kInks.size()], inks[i]);
+    for (std::size_t i = 0; dashes.size() > 1 && i < dashes.size(); ++i, y += 11)
+        svg += fmt::format("<path d='M{:.1f} {:.1f}h18' stroke='#444'{}/><text x='{:.1f}' y='{:.1f}' text-anchor='end'>{}</text>\n", right - 18, y - 3, dash(i), right - 22, y, dashes[i]);
+    return svg;
+}
+
 // Decades that hold all values: exponents of 10.
 struct Decades {
     int lo = 99, hi = -99;
@@ -44,17 +71,19 @@ std::string panel(const LightPanel& p, const std::string& axes) {
     for (const LightLine& line : p.lines)
         for (const LightPoint& point : line.points) across.hold(point.seconds), up.hold(point.error);
     std::string svg = fmt::format("<text x='{:.1f}' y='14' font-weight='bold'>{}</text>\n", kLeft, p.scene) + grid(across, up, w, h);
-    for (std::size_t i = 0; i < p.lines.size(); ++i) {
-        const char* ink = kInks[i % kInks.size()];
+    const std::vector<std::string> inks = names_of(p, &LightLine::name), dashes = names_of(p, &LightLine::sampler);
+    for (const LightLine& line : p.lines) {
+        const char* ink = kInks[place_in(inks, line.name) % kInks.size()];
         std::string path, dots;
-        for (const LightPoint& point : p.lines[i].points) {
+        for (const LightPoint& point : line.points) {
             const double x = kLeft + w * across.share(point.seconds), y = kTop + h * (1 - up.share(point.error));
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, y);
-            dots += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='2.5' fill='{}'/>", x, y, ink);
+            dots += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='2' fill='{}'/>", x, y, ink);
         }
-        svg += fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.5'/>{}\n", path, ink, dots);
-        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='end'>{}</text>\n", kLeft + w, kTop + 10 + 11 * static_cast<double>(i), ink, p.lines[i].name);
+        const std::string dashed = line.sampler.empty() ? std::string() : dash(place_in(dashes, line.sampler));
+        svg += fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.5'{}/>{}\n", path, ink, dashed, dots);
     }
+    svg += legend(inks, dashes, kLeft + w);
     return svg + fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{}</text>\n", kLeft + w / 2, kHeight - 4, axes);
 }
 

@@ -1,4 +1,4 @@
-// light_plot.h — time against error as a drawing: a panel a scene, a line an integrator, both axes logarithmic.
+// light_plot.h — time against error as a drawing: a panel a scene, a line an integrator and a sampler, both axes logarithmic.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ struct LightPoint {
 };
 
 struct LightLine {
-    std::string name;
+    std::string name;     // lines of one name have one ink
+    std::string sampler;  // and are dashed by this; may be empty
     std::vector<LightPoint> points;
     double bias = 0;  // distance of its converged picture from the path tracer's
 };

@@ -43,7 +43,8 @@ def seconds_at(points, error):
 def main():
     rows = collections.OrderedDict()
     for r in csv.DictReader(open(sys.argv[1])):
-        rows.setdefault(r['scene'], {}).setdefault(r['integrator'], []).append((float(r['cpu_seconds']), float(r['rmse'])))
+        if r['sampler'] == 'sobol':
+            rows.setdefault(r['scene'], {}).setdefault(r['integrator'], []).append((float(r['cpu_seconds']), float(r['rmse'])))
     whittle = sys.argv[3] if len(sys.argv) > 3 else 'whittle'
     print('| scene | error | POV-Ray, s | Whittle, s | by | ratio |\n|---|---|---|---|---|---|')
     for scene, lines in rows.items():

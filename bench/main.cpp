@@ -8,7 +8,7 @@
 //     whittle-bench mesh [--models part.scad] [--peers FOLDER] [--limit 60] [--rounds 5] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
-//     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samples 64] [--csv FILE] [--svg FILE]
+//     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samplers sobol] [--samples 64] [--csv FILE] [--svg FILE]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
@@ -103,6 +103,9 @@ int main(int argc, char** argv) {
     pictures->add_option("--scenes", light.scenes, "files of that folder, without .scad")->delimiter(',');
     pictures->add_option("--integrators", light.integrators, "whitted, distributed, path ...")->delimiter(',')->check([](const std::string& name) {
         return integrator_named(name) ? std::string() : "no integrator is called " + name;
+    });
+    pictures->add_option("--samplers", light.samplers, "sobol, stratified, independent")->delimiter(',')->check([](const std::string& name) {
+        return sampler_named(name) ? std::string() : "no sampler is called " + name;
     });
     pictures->add_option("--samples", light.most_samples, "1, 4, 16 ... up to this")->check(CLI::Range(1, 1 << 20));
     pictures->add_option("--reference", light.reference_samples, "samples of the references")->check(CLI::Range(1, 1 << 24));

@@ -237,6 +237,11 @@ void Declaration::declare_render() {
         render.options.integrator = kind.value_or(Integrator::kAuto);
         return kind.has_value();
     });
+    value("--sampler", "sobol, stratified or independent", "Where samples lie; the last two are there to be compared with (sobol)", kGroup, [&render](const std::string& t) {
+        const auto kind = sampler_named(t);
+        render.options.sampler = kind.value_or(SamplerKind::kSobol);
+        return kind.has_value();
+    });
     value("--filter", "box, gaussian or mitchell", "Weighs the samples around a pixel (gaussian)", kGroup, [&render](const std::string& t) {
         const auto kind = filter_named(t);
         render.options.filter = kind.value_or(FilterKind::kGaussian);

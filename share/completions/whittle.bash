@@ -6,6 +6,7 @@ _whittle() {
         --diagnostics) COMPREPLY=($(compgen -W "text json" -- "$current")); return ;;
         --curves) COMPREPLY=($(compgen -W "auto exact faceted" -- "$current")); return ;;
         --projection) COMPREPLY=($(compgen -W "p o" -- "$current")); return ;;
+        --sampler) COMPREPLY=($(compgen -W "sobol stratified independent" -- "$current")); return ;;
         --filter) COMPREPLY=($(compgen -W "box gaussian mitchell" -- "$current")); return ;;
         --colorscheme) COMPREPLY=($(compgen -W "Cornfield Metallic Sunset Starnight BeforeDawn Nature DeepOcean Solarized Tomorrow Monotone" -- "$current")); return ;;
         --tonemap) COMPREPLY=($(compgen -W "srgb filmic linear" -- "$current")); return ;;
@@ -21,7 +22,7 @@ _whittle() {
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
                 --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
-                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --filter --resume -o" ;;
+                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --sampler --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --simplify --remesh --binary
@@ -43,7 +44,7 @@ _whittle() {
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --export-format --check-parameters
                 --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug -m -O -s -x --view --summary --summary-file --info --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
-                --watch --tile --shard --colorscheme --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
+                --watch --tile --shard --colorscheme --sampler --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$current"))

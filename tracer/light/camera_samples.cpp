@@ -20,12 +20,13 @@ void CameraSampler::draw(std::span<const PixelPlace> pixels, int index) {
 void CameraSampler::draw_places(std::span<const PixelPlace> pixels, int index) {
     const std::size_t count = pixels.size();
     const auto number = static_cast<std::uint32_t>(index);
+    const Sequence sequence = stage_.options.sequence();
     for (std::size_t k = 0; k < count; ++k) x_[k] = static_cast<std::uint32_t>(pixels[k].x), y_[k] = static_cast<std::uint32_t>(pixels[k].y);
     lanes::keys_of(stage_.options.seed, x_.data(), y_.data(), count, keys_.data());
     // A single sample stands in the middle, so that the picture is the one the planes show.
     const bool spread = stage_.options.samples > 1;
     if (spread) {
-        lanes::pairs_of(keys_.data(), count, number, {Draw::kPixel}, u_.data(), v_.data());
+        lanes::pairs_of(keys_.data(), count, number, {Draw::kPixel}, u_.data(), v_.data(), sequence);
         lanes::places_of(stage_.filter.table(), u_.data(), count, px_.data(), weights_x_.data());
         lanes::places_of(stage_.filter.table(), v_.data(), count, py_.data(), weights_y_.data());
     }
@@ -35,7 +36,7 @@ void CameraSampler::draw_places(std::span<const PixelPlace> pixels, int index) {
         s.px = s.x + 0.5 + (spread ? px_[k] : 0), s.py = s.y + 0.5 + (spread ? py_[k] : 0);
         s.weight = spread ? weights_x_[k] * weights_y_[k] : 1;
         s.height = picture_height(stage_, s.py);
-        s.sampler = Sampler(keys_[k], number);
+        s.sampler = Sampler(keys_[k], number, sequence);
     }
 }
 

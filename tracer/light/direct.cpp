@@ -63,7 +63,7 @@ void DirectLight::sample_many(std::size_t number, const Vec3* points, const Samp
     counters_.draws += count;
     lanes::Row<std::uint32_t> keys, u, v;
     for (std::size_t k = 0; k < count; ++k) keys[k] = samplers[k].key();
-    lanes::pairs_of(keys.data(), count, samplers[0].index(), *draw, u.data(), v.data());
+    lanes::pairs_of(keys.data(), count, samplers[0].index(), *draw, u.data(), v.data(), samplers[0].sequence());
     sample_light(lamp, points, u.data(), v.data(), count, samples);
 }
 

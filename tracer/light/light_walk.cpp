@@ -19,7 +19,11 @@ constexpr std::uint64_t kLightSeed = 0x6c69676874ULL;
 }  // namespace
 
 double time_of_pass(const Stage& stage, int index) {
-    return stage.needs.shutter && stage.options.samples > 1 ? sobol::unit(sobol::scrambled(sobol::reversed(static_cast<std::uint32_t>(index)), sobol::hash(static_cast<std::uint32_t>(stage.options.seed)))) : 0;
+    const RenderOptions& o = stage.options;
+    if (!stage.needs.shutter || o.samples == 1) return 0;
+    const auto number = static_cast<std::uint32_t>(index);
+    if (o.sampler != SamplerKind::kSobol) return Sampler(o.seed ^ kLightSeed, -1, -1, number, o.sequence()).pair(Draw::kTimeAndWavelength).x;
+    return sobol::unit(sobol::scrambled(sobol::reversed(number), sobol::hash(static_cast<std::uint32_t>(o.seed))));
 }
 
 Splats picture_of(const RenderOptions& o) { return {SplatFilter(o.filter, o.samples == 1), o.width, o.height}; }
@@ -27,10 +31,17 @@ Splats picture_of(const RenderOptions& o) { return {SplatFilter(o.filter, o.samp
 LightWalker::LightWalker(const Stage& stage, int index, int rays, bool on_picture)
     : stage_(stage), index_(index), rays_(rays), on_picture_(on_picture), picture_(picture_of(stage.options)), direct_(stage, scratch_, counters_) {}
 
+// The rays of all passes, one after the other, are one sequence of Sobol's: those of a pass are spread over the lamp and what it shines at, and so are all.
+// A grid holds those of a pass.
+Sampler LightWalker::sampler_of(int ray) const {
+    const RenderOptions& o = stage_.options;
+    if (o.sampler != SamplerKind::kSobol) return {o.seed ^ kLightSeed, index_, 0, static_cast<std::uint32_t>(ray), {o.sampler, static_cast<std::uint32_t>(rays_)}};
+    const std::uint64_t place = static_cast<std::uint64_t>(index_) * static_cast<std::uint64_t>(rays_) + static_cast<std::uint64_t>(ray);
+    return {o.seed ^ kLightSeed, static_cast<int>(place >> 32), 0, static_cast<std::uint32_t>(place)};
+}
+
 void LightWalker::walk(int number, LightLeft& left) {
-    // The rays of all passes, one after the other, are one sequence: those of a pass are spread over the lamp and what it shines at, and so are all.
-    const std::uint64_t place = static_cast<std::uint64_t>(index_) * static_cast<std::uint64_t>(rays_) + static_cast<std::uint64_t>(number);
-    const Sampler sampler(stage_.options.seed ^ kLightSeed, static_cast<int>(place >> 32), 0, static_cast<std::uint32_t>(place));
+    const Sampler sampler = sampler_of(number);
     const Emitted e = stage_.emission.emit(sampler.pair(Draw::kPixel).x, sampler.pair(Draw::kLight), sampler.pair(Draw::kSky));
     Beam beam;
     beam.ray.origin = e.origin;

@@ -37,6 +37,7 @@ private:
         int covers = 0;
         bool focused = false;  // met a mirror or clear matter
     };
+    Sampler sampler_of(int ray) const;
     bool step(Beam& beam, const Sampler& sampler, LightLeft& left);
     bool scatter(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     void leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);

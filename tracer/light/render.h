@@ -23,6 +23,7 @@
 #include "tracer/image/image_file.h"
 #include "tracer/light/camera.h"
 #include "tracer/light/color_scheme.h"
+#include "tracer/light/sampler.h"
 
 namespace whittle {
 
@@ -54,6 +55,7 @@ struct RenderOptions {
     FilterKind filter = FilterKind::kGaussian;
     AovSet aovs = 0;
     std::uint64_t seed = 0;
+    SamplerKind sampler = SamplerKind::kSobol;
     std::optional<TileRegion> region;    // --tile
     Shard shard;
     // Stop a tile when its estimated error (of display luminance) is below; 0: never. None: kOwnNoise where only places in the pixel are drawn, else never.
@@ -64,6 +66,8 @@ struct RenderOptions {
     // Other estimators of the same picture, to hold one against the other. False: lamps with a size are met by chance only (paths); caustics that the eye
     // sees at once are gathered as photons too.
     bool sample_lamps = true, trace_onto_picture = true;
+
+    Sequence sequence() const { return {sampler, static_cast<std::uint32_t>(samples)}; }
 };
 
 // What evaluation found beside the solid.

@@ -160,6 +160,18 @@ TEST_CASE("caustics drawn from the lamp, gathered as photons and found by paths 
     CHECK(tiles_of_film(drawn(b.finish(), lamp_and_caustic(), none).film, 16).mean[0] < 0.8 * whole.mean[0]);
 }
 
+TEST_CASE("caustics by every sampler agree") {
+    const Solid solid = ball_over_floor(8);
+    const TileMeans sobol = tiles_of_film(drawn(solid, lamp_and_caustic(), caustics_options(16, 256)).film, 4);
+    for (const SamplerKind kind : {SamplerKind::kStratified, SamplerKind::kIndependent}) {
+        RenderOptions o = caustics_options(16, 256);
+        o.sampler = kind;
+        o.seed = 5;
+        INFO(sampler_name(kind));
+        CHECK(chi_square(sobol, tiles_of_film(drawn(solid, lamp_and_caustic(), o).film, 4)) < 39.3);
+    }
+}
+
 TEST_CASE("a picture of the surroundings sends its light through what focuses, as paths from the eye find it") {
     // Dim all around, and a bright patch of about 22 degrees high up.
     const auto sky = [](const std::string&, const SourcePlace&) -> Result<Image> {

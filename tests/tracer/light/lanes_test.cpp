@@ -62,6 +62,20 @@ TEST_CASE("numbers drawn for many pixels are those of each") {
     });
 }
 
+TEST_CASE("numbers of other samplers drawn for many pixels are those of each") {
+    lanes::Row<std::uint32_t> keys, u, v;
+    for (std::size_t k = 0; k < lanes::kMost; ++k) keys[k] = sobol::hash(static_cast<std::uint32_t>(k));
+    for (const Sequence sequence : {Sequence{SamplerKind::kStratified, 12}, Sequence{SamplerKind::kIndependent, 12}}) {
+        lanes::pairs_of(keys.data(), lanes::kMost, 5, {Draw::kLight, 65, 2, 5}, u.data(), v.data(), sequence);
+        std::size_t wrong = 0;
+        for (std::size_t k = 0; k < lanes::kMost; ++k) {
+            const Vec2 pair = Sampler(keys[k], 5, sequence).pair({Draw::kLight, 65, 2, 5});
+            wrong += sobol::unit(u[k]) != pair.x || sobol::unit(v[k]) != pair.y;
+        }
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("places in the filter drawn for many pixels are those of each") {
     on_every_target([] {
         for (const FilterKind kind : {FilterKind::kBox, FilterKind::kGaussian, FilterKind::kMitchell}) {
