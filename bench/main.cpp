@@ -12,6 +12,7 @@
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
+#include <algorithm>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@
 #include "bench/scaling.h"
 #include "bench/stability.h"
 #include "tracer/light/render.h"
+#include "csg/base/passes.h"
 
 using namespace whittle;
 using namespace whittle::bench;
@@ -42,6 +44,10 @@ int main(int argc, char** argv) {
     rays->add_option("--queries", choice.queries, "of first, any, spans")->delimiter(',')->check(CLI::IsMember({"first", "any", "spans"}));
     rays->add_option("--rays", choice.rays, "of camera, incoherent")->delimiter(',')->check(CLI::IsMember({"camera", "incoherent"}));
     rays->add_option("--only", choice.only, "subjects whose name holds this");
+    rays->add_option("--disable", choice.disabled, "passes of the engine to do without")->delimiter(',')->check([](const std::string& name) {
+        const auto known = known_passes();
+        return std::any_of(known.begin(), known.end(), [&](const PassInfo& p) { return p.name == name; }) ? std::string() : "no pass is called " + name;
+    });
     rays->add_option("--rounds", choice.race.rounds, "alternating rounds")->check(CLI::Range(1, 1000));
     rays->add_option("--seconds", choice.race.seconds_a_round, "of one subject in a round, about")->check(CLI::PositiveNumber);
     rays->add_option("--csv", choice.csv, "also write the rows here");

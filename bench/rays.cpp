@@ -40,7 +40,9 @@ void print(const std::string& scene, const std::string& query, const std::string
 }
 
 Result<void> time_scene(const BenchScene& scene, const RaysOptions& options, const std::string& folder, Report& report) {
-    const auto program = compile(scene.solid);
+    EngineOptions engine;
+    engine.disabled_passes = options.disabled;
+    const auto program = compile(scene.solid, engine);
     if (!program) return tl::unexpected<Error>(program.error());
     const bool peers = options.only.find("whittle") == std::string::npos;
     const PeerMesh mesh = peers && options.only.find("pov") == std::string::npos ? peer_mesh(scene) : PeerMesh{};

@@ -14,7 +14,8 @@ struct RaysOptions {
     bool faceted = false, twins = false;                                  // files: OpenSCAD's facets; both, one after the other
     std::vector<std::string> queries{"first", "any", "spans"};
     std::vector<std::string> rays{"camera", "incoherent"};
-    std::string only;  // subjects whose name holds this
+    std::string only;                     // subjects whose name holds this
+    std::vector<std::string> disabled;    // passes that Whittle's subjects do without
     RaceOptions race;
     std::string csv, json;
 };
