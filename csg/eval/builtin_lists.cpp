@@ -72,21 +72,23 @@ void append_code_point(std::string& out, double number) {
 
 constexpr std::uint32_t kMaxCharacters = 10000;  // of a range in chr()
 
+// The characters of a number, a range, or a list of those, however deep.
+void append_characters(FunctionCall& call, std::string& out, const Value& v) {
+    call.machine.tick();
+    if (v.is_number()) append_code_point(out, v.number());
+    if (v.is_vector())
+        for (std::uint32_t i = 0; i < v.size(); ++i) append_characters(call, out, v[i]);
+    if (!v.is_range()) return;
+    const std::uint32_t count = range_count(v.range());
+    if (count >= kMaxCharacters) return call.machine.warn({}, fmt::format("Bad range parameter in for statement: too many elements ({}).", count));
+    for (std::uint32_t i = 0; i < count; ++i) append_code_point(out, range_at(v.range(), i));
+}
+
 }  // namespace
 
 Value function_chr(FunctionCall& call) {
     std::string out;
-    for (const Value& v : call.arguments) {
-        if (v.is_number()) append_code_point(out, v.number());
-        if (v.is_vector())
-            for (std::uint32_t i = 0; i < v.size(); ++i)
-                if (v[i].is_number()) append_code_point(out, v[i].number());
-        if (!v.is_range()) continue;
-        const std::uint32_t count = range_count(v.range());
-        if (count >= kMaxCharacters) call.machine.warn({}, fmt::format("Bad range parameter in for statement: too many elements ({}).", count));
-        else
-            for (std::uint32_t i = 0; i < count; ++i) append_code_point(out, range_at(v.range(), i));
-    }
+    for (const Value& v : call.arguments) append_characters(call, out, v);
     return call.machine.heap().string(out);
 }
 
