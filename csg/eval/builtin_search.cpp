@@ -100,7 +100,7 @@ Value search_string_in_table(std::string_view what, const Value& table, const Qu
             if (row[q.column].is_string() && code_points(row[q.column].string()).size() > 0 && code_points(row[q.column].string())[0] == character)
                 found.push_back(i);
         }
-        if (found.empty() && q.hits <= 1) machine.warn(q.call.place, "search term not found: \"" + std::string(character) + "\"");
+        if (found.empty()) machine.warn(q.call.place, "search term not found: \"" + std::string(character) + "\"");
         if (q.hits != 1) out.push_back(list_of(machine.heap(), found));
         else if (!found.empty()) out.emplace_back(found[0]);
     }
@@ -135,9 +135,7 @@ Value function_search(FunctionCall& call) {
     if (what.is_string() && table.is_string()) return search_string_in_string(what.string(), table.string(), q);
     if (what.is_string()) {
         if (table.is_vector()) return search_string_in_table(what.string(), table, q);
-        for (const std::string_view character : code_points(what.string()))
-            call.machine.warn(call.place, "search term not found: \"" + std::string(character) + "\"");
-        return call.machine.heap().vector(std::vector<Value>{});
+        return search_string_in_table(what.string(), call.machine.heap().vector(std::vector<Value>{}), q);
     }
     if (what.is_vector()) return search_list(what, table, q);
     return {};

@@ -24,6 +24,18 @@ bool equal_records(const RecordObject& left, const RecordObject& right) {
     return true;
 }
 
+// -1, 0, 1, or 2 for unordered (nan).
+int order_of_numbers(double x, double y) { return x < y ? -1 : x > y ? 1 : x == y ? 0 : 2; }
+
+// As OpenSCAD orders them: those without elements are equal and come first.
+int order_of_ranges(const RangeObject& x, const RangeObject& y) {
+    const bool x_is_empty = range_count(x) == 0, y_is_empty = range_count(y) == 0;
+    if (x_is_empty || y_is_empty) return y_is_empty - x_is_empty;
+    if (const int c = order_of_numbers(x.begin, y.begin)) return c;
+    if (const int c = order_of_numbers(x.step, y.step)) return c;
+    return order_of_numbers(x.end, y.end);
+}
+
 }  // namespace
 
 bool equal(const Value& left, const Value& right) {
@@ -41,8 +53,7 @@ bool equal(const Value& left, const Value& right) {
             return true;
         }
         case Type::kRecord: return equal_records(left.record(), right.record());
-        case Type::kRange:
-            return left.range().begin == right.range().begin && left.range().step == right.range().step && left.range().end == right.range().end;
+        case Type::kRange: return order_of_ranges(left.range(), right.range()) == 0;
         case Type::kFunction: {
             const FunctionObject &a = left.function(), &b = right.function();
             return &a == &b || (a.self && a.self == b.self && a.code == b.code && a.frame == b.frame);
@@ -58,36 +69,37 @@ Value undefined(Op op, const Value& a, const Value& b, std::string& problem) {
     return {};
 }
 
-// -1, 0, 1, or 2 for unordered (nan); `problem` where the types have no order.
+// OpenSCAD has "less" only between elements of lists: a >= b is !(a < b), a > b is b < a.
+bool asks_for_swapped(Op op) { return op == Op::kGreater || op == Op::kLessEqual; }
+
+// -1, 0, 1, or 2 for unordered (nan; between elements that is 0, neither is less); `problem` where the types have no order.
 int compare(Op op, const Value& a, const Value& b, std::string& problem) {
     if (a.type() != b.type() && !(a.is_undef() && b.is_undef())) {
         undefined(op, a, b, problem);
         return 2;
     }
-    const auto sign = [](double x, double y) { return x < y ? -1 : x > y ? 1 : x == y ? 0 : 2; };
     switch (a.type()) {
         case Type::kBool:
-        case Type::kNumber: return sign(a.number(), b.number());
+        case Type::kNumber: return order_of_numbers(a.number(), b.number());
         case Type::kString: {
             const int c = a.string().compare(b.string());
             return c < 0 ? -1 : c > 0;
         }
         case Type::kVector: {
             const std::uint32_t shared = std::min(a.size(), b.size());
+            const bool swapped = asks_for_swapped(op);
             for (std::uint32_t i = 0; i < shared; ++i) {
-                const int c = compare(op, a[i], b[i], problem);
-                if (!problem.empty()) problem += fmt::format("\n\tin vector comparison at index {}", i);
-                if (c != 0) return c;
+                int c = swapped ? compare(Op::kLess, b[i], a[i], problem) : compare(Op::kLess, a[i], b[i], problem);
+                if (!problem.empty()) {
+                    problem += fmt::format("\n\tin vector comparison at index {}", i);
+                    return 2;
+                }
+                if (c == 2) c = 0;
+                if (c != 0) return swapped ? -c : c;
             }
-            return sign(a.size(), b.size());
+            return order_of_numbers(a.size(), b.size());
         }
-        case Type::kRange: {
-            const RangeObject& x = a.range();
-            const RangeObject& y = b.range();
-            if (const int c = sign(x.begin, y.begin)) return c;
-            if (const int c = sign(x.step, y.step)) return c;
-            return sign(x.end, y.end);
-        }
+        case Type::kRange: return order_of_ranges(a.range(), b.range());
         default: problem = fmt::format("operation undefined ({} {} {})", type_name(a.type()), operator_text(op), type_name(b.type())); return 2;
     }
 }
