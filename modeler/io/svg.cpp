@@ -169,8 +169,9 @@ private:
     Pen pen_of(const xml_node& node) const {
         constexpr double kThinnest = 0.01;
         Pen pen;
-        SvgLength width;
-        if (read_length(property(node, "stroke-width"), width)) pen.width = in_user_units(width);
+        const std::string said = property(node, "stroke-width");
+        SvgLength width;  // its unit is a piece of what is said
+        if (read_length(said, width)) pen.width = in_user_units(width);
         if (!(pen.width >= kThinnest && std::isfinite(pen.width))) pen.width = 1;
         const std::string cap = property(node, "stroke-linecap"), join = property(node, "stroke-linejoin");
         if (cap == "butt") pen.cap = LineCap::kButt;
