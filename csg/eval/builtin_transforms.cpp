@@ -158,6 +158,9 @@ struct ExtrudeArguments {
     const Value *height, *way, *scale, *center, *twist, *slices, *segments;
 };
 
+// A drawing in place of the children; an empty name is none.
+bool names_file(const Value& value) { return value.is_string() && !value.string().empty(); }
+
 // A whole number above 0, as OpenSCAD takes it: truncated; nothing for others.
 std::optional<int> read_count(const Value& value) {
     double count = 0;
@@ -192,7 +195,7 @@ Made make_linear_extrude(ModuleUse& use) {
     out.slices = read_count(*given.slices);
     out.segments = read_count(*given.segments).value_or(0);
     out.convexity = read_convexity(use[8], 1);
-    if (use[0].is_string()) add_drawing(use, use[0], use[1], use[3], out.scale.x);
+    if (names_file(use[0])) add_drawing(use, use[0], use[1], use[3], out.scale.x);
     return out;
 }
 
@@ -203,7 +206,7 @@ Made make_rotate_extrude(ModuleUse& use) {
         use.machine.say(Severity::kDeprecated, {}, "Support for reading files in rotate_extrude will be removed in future releases. Use a child import() instead.");
         double scale = 1;
         read_number(use[3], scale);
-        add_drawing(use, use[0], use[1], use[2], scale);
+        if (names_file(use[0])) add_drawing(use, use[0], use[1], use[2], scale);
     }
     const Value& angle = !use[5].is_undef() ? use[5] : !use[7].is_undef() ? use[7] : use[0];
     double deg = 360;

@@ -7,3 +7,6 @@ polyhedron(); polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2
 circle(); circle(0); circle(-1); circle("a"); circle(d = 5); circle(r = 1, d = 5); circle(5, $fn = 3.9); circle(5, $fn = -3); circle(5, $fn = 2); circle(5, $fa = 0); circle(5, $fs = 0); circle(5, $fn = "a"); circle(5, $fa = "a"); circle(5, $fs = -1); circle(5, $fn = 1 / 0); circle(5, $fa = 1e-5, $fs = 1e-5); circle(r = 1 / 0); circle(0 / 0);
 hull(5) cube(); minkowski(3) cube(); minkowski(convexity = 3) { cube(); sphere(); } render(3) cube(); render(convexity = "a") cube(); union(1) cube(); difference(x = 1) cube(); group(1) cube(); intersection(1, 2) cube();
 import("missing.stl"); import("missing.dxf", layer = "a", origin = [1, 2], scale = 3); import("missing.svg", center = true, dpi = 96); import("missing.xyz"); import(); import(5); import(file = "missing.off", convexity = 4); surface("missing.dat"); surface("missing.png", center = true, convexity = 3, invert = true); surface();
+linear_extrude("", scale = 3) cube(echo("children of an empty name") 1);
+rotate_extrude("") square(echo("likewise") 1);
+linear_extrude(file = "", height = 2) square(1);
