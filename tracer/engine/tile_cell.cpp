@@ -408,6 +408,26 @@ RoundLimits round_limits(const TileLine& line, const std::array<double, 3>& cent
     return round_limits(round_directions(line, ball, axis, kFineUnit), o, eo, r, HUGE_VAL);
 }
 
+namespace {
+
+// Opposite planes across an axis side by side.
+void pair_slabs(std::vector<TileSurface>& surfaces, std::size_t first) {
+    const auto crossed = [&](std::size_t k) { return surfaces[k].kind == TileSurface::Kind::kCrossing; };
+    for (std::size_t k = first; k + 1 < surfaces.size(); ++k) {
+        if (!crossed(k)) continue;
+        for (std::size_t other = k + 1; other < surfaces.size(); ++other) {
+            if (!crossed(other) || surfaces[other].axis != surfaces[k].axis || surfaces[other].inverted == surfaces[k].inverted) continue;
+            std::swap(surfaces[k + 1], surfaces[other]);
+            if (!surfaces[k].inverted) std::swap(surfaces[k], surfaces[k + 1]);
+            surfaces[k].kind = TileSurface::Kind::kSlab;
+            ++k;
+            break;
+        }
+    }
+}
+
+}  // namespace
+
 bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf, std::vector<TileSurface>& surfaces, std::vector<CoarseSurface>& coarse,
                TileCell& cell, double& error, double& near, double& far) {
     cell.first = static_cast<std::uint32_t>(surfaces.size());
@@ -419,6 +439,7 @@ bool fold_cell(const Program& program, const TileScope& scope, const Leaf& leaf,
         error = std::max(error, folder.error());
     }
     if (!cell.known || !met) surfaces.resize(cell.first);
+    if (!scope.coarse) pair_slabs(surfaces, cell.first);
     cell.count = static_cast<std::uint32_t>(surfaces.size()) - cell.first;
     return met;
 }

@@ -52,6 +52,7 @@ struct TileSurface {
         kEntering,  // an axis plane of the root frame that every ray enters the cell by; leaves by; or either
         kLeaving,
         kCrossing,
+        kSlab,      // the first of two kCrossing ones across an axis, the cell between them: below the next surface, above this one
         kPlane,     // any other
         kBall,
         kCylinder,
