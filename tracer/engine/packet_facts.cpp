@@ -1,5 +1,6 @@
 // packet_facts.cpp — what packets need to know of a finished program: which label a class shows, which items are balls, which groups hold matter.
 #include <algorithm>
+#include <cmath>
 
 #include "tracer/engine/tile.h"
 
@@ -78,10 +79,28 @@ ItemBall ball_of(const Program& program, Ref ref) {
     return {s.p[0], s.p[1], s.p[2], s.p[3], h.id()};
 }
 
+// Are the leaves few, and do eight rays through the solid come by so many of them that looking which costs more than asking all? A convex body is met by that
+// share of the lines through another around it that its surface is of the other's (Cauchy and Crofton).
+bool is_met_whole(const Program& program) {
+    constexpr std::size_t kFewLeaves = 8;
+    constexpr int kRaysTogether = 8;
+    if (program.leaves.size() > kFewLeaves || program.leaf_boxes.size() != program.leaves.size()) return false;
+    const auto area = [](const Vec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; };
+    const Bounds& whole = program.bounds;
+    const double around = area(whole.hi - whole.lo);
+    double met = 0;
+    for (const FloatBox& box : program.leaf_boxes) {
+        const Vec3 lo = glm::max(Vec3(box.lo[0], box.lo[1], box.lo[2]), whole.lo), hi = glm::min(Vec3(box.hi[0], box.hi[1], box.hi[2]), whole.hi);
+        met += 1 - std::pow(1 - std::clamp(area(glm::max(hi - lo, Vec3(0))) / around, 0.0, 1.0), kRaysTogether);
+    }
+    return met >= 0.5 * static_cast<double>(program.leaves.size());
+}
+
 }  // namespace
 
 void describe_for_packets(Program& program) {
     program.mostly_turned = is_mostly_turned(program);
+    program.met_whole = is_met_whole(program);
     // Packets look for the least use; priorities are a single ray's work.
     program.matter_by_author = std::is_sorted(program.matter_order.begin(), program.matter_order.end());
     program.bodies_show = program.matter_by_author && std::none_of(program.uses.begin(), program.uses.end(), [](const LeafUse& u) { return u.subtracts && u.material->names_surface(); });

@@ -130,6 +130,7 @@ public:
     bool some_uncertified = false;         // some leaf is not exact
     bool some_doubtful = false;            // or some class has no polynomial
     bool mostly_turned = false;            // more than half of the leaves have turned sides, which packets do not know: rays do better alone
+    bool met_whole = false;                // so few leaves that rays which do not go together meet most of them
     bool bodies_show = false;              // no cutter names its surface, and matter is by the author's order: the first body at a border shows there
     std::vector<Group> groups;
     std::vector<Ref> refs;

@@ -86,6 +86,7 @@ void TileTree::begin(const Program& program, const TileScope& scope) {
     scope_ = scope;
     surfaces.clear();
     coarse.clear();
+    whole = false;
     error_ = 0;
     if (folded_.size() != program.leaves.size() || ++stamp_ == 0) {
         folded_.assign(program.leaves.size(), {});
@@ -99,7 +100,7 @@ void TileTree::build(const Program& program, const TileBounds& bounds, Ref ref, 
     pending_.clear();
     cells.clear();
     leaf_count = holders = 0;
-    holder_lost = clipped = false;
+    holder_lost = clipped = whole = false;
     shared_ = shared;
     if (!shared) {
         surfaces.clear();

@@ -67,6 +67,7 @@ struct TileTree {
     bool holder_lost = false;            // what holds a place may have been folded away
     double window = HUGE_VAL;            // what begins behind it is left out:
     bool clipped = false;                // something was
+    bool whole = false;                  // folded to the scope, not to some of its rays: it holds for the next ones too
     TileWork work;
 
     // Cells folded for an older scope are forgotten.
