@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""light_effects.py WHITTLE [FOLDER] [ROUNDS] — five effects of light, by Whittle and by POV-Ray 3.7 on the same exported scenes: processor time to equal error.
+"""light_effects.py WHITTLE [FOLDER] [ROUNDS] [EFFECT,EFFECT] — five effects of light, by Whittle and by POV-Ray 3.7 on the same exported scenes: processor time to equal error.
 
 Every scene of FOLDER (bench/light) is exported by `whittle -o x.pov` and drawn at 160 x 120 pixels by one thread. Both programs are asked at rising quality, by turns;
 a time is the least user time of the rounds less that of a picture of 4 x 3 pixels; an error is the root mean square difference of linear colour, clipped at
 white, from what the same program converges to. POV-Ray has its choice: supersampling (+AM1), adaptive supersampling (+AM2), several grids of an area lamp, blur
 samples, photons; of its settings those count that no other beats in time and error. Whittle takes the integrator named here, with the noise limit that it
-takes by itself. The table compares both at three errors: those of POV-Ray's settings a third and two thirds along its own line and at its end.
+takes by itself; caustics are drawn twice, by Whitted's tree with photons, which is what POV-Ray does, and by paths from the eye and the lamp, which also follow
+light between dull surfaces. The table compares both at three errors: those of POV-Ray's settings a third and two thirds along its own line and at its end.
 """
 import array, itertools, math, os, re, resource, struct, subprocess, sys, tempfile, zlib
 
 WIDTH, HEIGHT = 160, 120
-INTEGRATORS = {'reflection': 'whitted', 'refraction': 'whitted', 'soft_shadow': 'distributed', 'photons': 'caustics', 'focal_blur': 'distributed'}
+# Effect and integrator; the effect is a scene's name.
+EFFECTS = [('reflection', 'whitted'), ('refraction', 'whitted'), ('soft_shadow', 'distributed'), ('photons', 'whitted'), ('photons', 'caustics'), ('focal_blur', 'distributed')]
 MOST_SAMPLES = {'refraction': 64}
 
 def cpu(words):
@@ -69,23 +71,31 @@ def rms(a, b):
     return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a))
 
 class Whittle:
+    # Reads the scene and little else.
+    idle = (1, ['--integrator', 'whitted'])
     def __init__(self, program, scene, folder, integrator):
         self.words, self.folder = [program, scene, '--integrator', integrator, '--threads', '1', '-q'], folder
-    def draw(self, samples, size=(WIDTH, HEIGHT)):
-        words = self.words + ['--samples', str(samples), '--imgsize', f'{size[0]},{size[1]}', '-o']
+    def draw(self, setting, size=(WIDTH, HEIGHT)):
+        samples, more = setting
+        words = self.words + ['--samples', str(samples), '--imgsize', f'{size[0]},{size[1]}', *more, '-o']
         picture = os.path.join(self.folder, 'w.exr')
         cpu(words + [picture])
         # The time is that of a PNG: loading the module that writes EXR takes longer than some of these pictures.
         return cpu(words + [os.path.join(self.folder, 'w.png')]), picture
     def settings(self, name):
-        samples = 1
-        while samples <= MOST_SAMPLES.get(name, 256):
-            yield f'{samples} samples', samples
-            samples *= 4
+        photons = (10000, 40000, 100000, 400000) if name == 'photons' and 'whitted' in self.words else (0,)
+        for count in photons:
+            samples = 1
+            while samples <= (16 if count else MOST_SAMPLES.get(name, 256)):
+                yield f'{samples} samples' + (f', {count} photons' if count else ''), (samples, ['--photons', str(count)] if count else [])
+                samples *= 4
     def truth(self, name):
-        return self.draw(4 * MOST_SAMPLES.get(name, 256))[1]
+        if name == 'photons' and 'whitted' in self.words:
+            return self.draw((64, ['--photons', '4000000']))[1]
+        return self.draw((4 * MOST_SAMPLES.get(name, 256), []))[1]
 
 class PovRay:
+    idle = (lambda text: text, ['-A'])
     def __init__(self, text, folder):
         self.text, self.folder = text, folder
     def draw(self, setting, size=(WIDTH, HEIGHT)):
@@ -145,7 +155,7 @@ def measured(program, name, rounds, line):
     """Adds (seconds, error, label) of every setting; `line` keeps the least time of a label."""
     truth = pixels(program.truth(name))
     def once():
-        start = min(program.draw(next(iter(program.settings(name)))[1], (4, 3))[0] for _ in range(5))
+        start = min(program.draw(program.idle, (4, 3))[0] for _ in range(5))
         for label, setting in program.settings(name):
             seconds, picture = program.draw(setting)
             error = rms(pixels(picture), truth)
@@ -176,9 +186,12 @@ def main():
     whittle = sys.argv[1]
     folder = sys.argv[2] if len(sys.argv) > 2 else os.path.join(os.path.dirname(os.path.abspath(__file__)), 'light')
     rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 2
+    only = sys.argv[4].split(',') if len(sys.argv) > 4 else []
     details = []
     print('| effect | error | POV-Ray, s | by | Whittle, s | ratio |\n|---|---|---|---|---|---|')
-    for name, integrator in INTEGRATORS.items():
+    for name, integrator in EFFECTS:
+        if only and name not in only:
+            continue
         with tempfile.TemporaryDirectory() as work:
             scene, exported = os.path.join(folder, name + '.scad'), os.path.join(work, 'export.pov')
             cpu([whittle, scene, '-o', exported, '--imgsize', f'{WIDTH},{HEIGHT}', '-q'])
@@ -192,8 +205,8 @@ def main():
         for k in sorted({len(other) // 3, 2 * len(other) // 3, len(other) - 1}):
             seconds, error, label = other[k]
             at = seconds_at(mine, error)
-            print(f'| {name} | {error:.5f} | {seconds:.3f} | {label} | ' + (f'{at:.3f} | {seconds / at:.2f} |' if at else '– | – |'), flush=True)
-        details += [(name, 'whittle', p) for p in mine] + [(name, 'pov-ray', p) for p in other]
+            print(f'| {name} (`{integrator}`) | {error:.5f} | {seconds:.3f} | {label} | ' + (f'{at:.3f} | {seconds / at:.2f} |' if at else '– | – |'), flush=True)
+        details += [(name, 'whittle ' + integrator, p) for p in mine] + [(name, 'pov-ray', p) for p in other]
     print('\nscene,program,setting,cpu_seconds,rmse')
     for name, program, (seconds, error, label) in details:
         print(f'{name},{program},{label},{seconds:.4f},{error:.6f}')

@@ -23,6 +23,7 @@ std::string words_of(const Request& request) {
     const TileRegion region = o.region.value_or(TileRegion{});
     std::string words = fmt::format("{} {} {} {} {} {} {} {} {} {} {} {:a} {} ", o.width, o.height, o.samples, o.light_samples, o.max_depth, static_cast<int>(o.integrator),
                                     static_cast<int>(o.look), o.edges, static_cast<int>(o.filter), o.aovs, o.seed, o.noise.value_or(-1), fmt::join(o.disabled_passes, ","));
+    if (o.photons > 0) words += fmt::format("{} photons ", o.photons);
     if (o.sampler != SamplerKind::kSobol) words += fmt::format("{} ", sampler_name(o.sampler));
     words += fmt::format("{} {} {} {} {}/{} ", region.x, region.y, region.width, region.height, o.shard.index, o.shard.count);
     if (o.scheme)

@@ -232,6 +232,7 @@ void Declaration::declare_render() {
     number("--noise", "X", "Stop where the estimated error is below X (1/1024 where light is not drawn at random, else 0: never)", render.options.noise, 0, 1e9, kGroup);
     number("--stop-after", "S", "Stop after S seconds and keep the picture so far", render.options.stop_after_s, 0, 1e9, kGroup);
     number("--max-depth", "N", "Mirrors and refractions one after the other (16)", render.options.max_depth, 0, 1e6, kGroup);
+    number("--photons", "N", "Rays from the lamps, for caustics in pictures by whitted or distributed; caustics sends its own (0)", render.options.photons, 0, 1e8, kGroup);
     value("--integrator", "auto, preview, whitted, distributed, path, caustics or cone", "How light is followed", kGroup, [&render](const std::string& t) {
         const auto kind = integrator_named(t);
         render.options.integrator = kind.value_or(Integrator::kAuto);

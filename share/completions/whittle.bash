@@ -22,7 +22,7 @@ _whittle() {
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --imgsize --camera --viewall
                 --autocenter --projection --samples --light-samples --noise --stop-after --max-depth --integrator --aov
-                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --sampler --filter --resume -o" ;;
+                --edges --clip --xray --exposure --tonemap --exr --watch --tile --shard --colorscheme --photons --sampler --filter --resume -o" ;;
         mesh)
             options="-h --help -v --version -D -p -P --curves --no-snap --hardwarnings --allow-missing -d --threads --seed --progress
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --tolerance --angle --booleans --simplify --remesh --binary
@@ -44,7 +44,7 @@ _whittle() {
                 --diagnostics --json -q --quiet --stats --limit-time --limit-memory --disable --export-format --check-parameters
                 --render --preview --animate --csglimit --check-parameter-ranges --backend --enable --debug -m -O -s -x --view --summary --summary-file --info --imgsize --camera --viewall --autocenter --projection --samples --light-samples
                 --noise --stop-after --max-depth --integrator --aov --edges --clip --xray --exposure --tonemap --exr
-                --watch --tile --shard --colorscheme --sampler --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
+                --watch --tile --shard --colorscheme --photons --sampler --filter --resume --tolerance --angle --booleans --simplify --remesh --binary --ascii --report -o" ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$current"))

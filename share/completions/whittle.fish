@@ -43,6 +43,7 @@ complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_s
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l tile -r -d 'Draw this part of the picture only'
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l shard -r -d 'Draw the k-th of n parts (1/n to n/n); merge puts them together'
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l colorscheme -r -a "Cornfield Metallic Sunset Starnight BeforeDawn Nature DeepOcean Solarized Tomorrow Monotone" -d 'Background and unnamed faces of --integrator preview'
+complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l photons -r -d 'Rays from the lamps for caustics by whitted or distributed (0)'
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l sampler -r -a "sobol stratified independent" -d 'Where samples lie (sobol)'
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l filter -r -a "box gaussian mitchell" -d 'Weighs the samples around a pixel (gaussian)'
 complete -c whittle -n "__fish_seen_subcommand_from render; or not __fish_seen_subcommand_from $verbs" -l resume -d 'Go on from PICTURE.part, which a rendering that was stopped leaves'

@@ -25,8 +25,8 @@ CameraLight Integration::radiance(const CameraSample& sample, const FirstBorder*
     };
     CameraLight light = std::visit(shine, walker_);
     if (!std::isfinite(light.radiance.x + light.radiance.y + light.radiance.z)) ++counters_.no_numbers;
-    if (!stage_.light_passes) return light;
-    const LightPass* pass = std::get<PathTracer>(walker_).pass();
+    const PathTracer* paths = std::get_if<PathTracer>(&walker_);
+    const LightPass* pass = paths ? paths->pass() : nullptr;
     if (pass && pass->draws_on_picture()) light.drawn = pass->on_pixel(sample.x, sample.y);
     return light;
 }

@@ -24,6 +24,9 @@ constexpr double kKeep = 2.0 / 3;
 // First search radius, of the ball around what focuses.
 constexpr double kFirstRadius = 0.03;
 
+// Rays that have it, where all are sent at once: with more it shrinks as it does from pass to pass.
+constexpr double kRaysAtFirst = 0x1p14;
+
 }  // namespace
 
 struct LightPasses::Kept {
@@ -45,7 +48,7 @@ struct LightPasses::Kept {
     }
 };
 
-LightPasses::LightPasses(const Stage& stage, int rays, Draws draws) : stage_(stage), rays_(rays), draws_(draws), kept_(std::make_unique<Kept>()) {}
+LightPasses::LightPasses(const Stage& stage, const PassPlan& plan) : stage_(stage), plan_(plan), kept_(std::make_unique<Kept>()) {}
 LightPasses::~LightPasses() = default;
 
 std::uint64_t LightPasses::rays_sent() const {
@@ -54,30 +57,35 @@ std::uint64_t LightPasses::rays_sent() const {
 }
 
 double LightPasses::radius(int index) const {
+    const double first = kFirstRadius * stage_.emission.reach();
+    if (plan_.shrunk_for > 0) return first * std::pow(static_cast<double>(plan_.shrunk_for) / kRaysAtFirst, -1.0 / 6);
     double r2 = 1;
     for (int i = 1; i <= index; ++i) r2 *= (i + kKeep) / (i + 1);
-    return kFirstRadius * stage_.emission.reach() * std::sqrt(r2);
+    return first * std::sqrt(r2);
 }
 
 void LightPasses::make(int begin, int end) const {
+    if (plan_.once) begin = 0, end = 1;
     for (int i = begin; i < std::min(end, begin + kKept); ++i) pass(i);
 }
 
-std::shared_ptr<const LightPass> LightPasses::pass(int index) const {
+std::shared_ptr<const LightPass> LightPasses::pass(int sample) const {
+    const int index = number_of(sample);
     if (auto found = kept_->find(index)) return found;
     // A thread that waits for its own chunks must not begin another tile, which would ask for the same pass.
     std::shared_ptr<const LightPass> fresh;
     tbb::this_task_arena::isolate([&] { fresh = made(index); });
-    kept_->keep(index, fresh, rays_);
+    kept_->keep(index, fresh, plan_.rays);
     return fresh;
 }
 
 std::shared_ptr<const LightPass> LightPasses::made(int index) const {
-    const int chunks = (rays_ + kChunk - 1) / kChunk;
+    const int rays = plan_.rays, chunks = (rays + kChunk - 1) / kChunk;
+    const bool on_picture = plan_.draws == PassPlan::Draws::kOntoPicture;
     std::vector<LightLeft> left(static_cast<std::size_t>(chunks));
     tbb::parallel_for(0, chunks, [&](int c) {
-        LightWalker walker(stage_, index, rays_, draws_ == Draws::kOntoPicture);
-        for (int ray = c * kChunk; ray < std::min(rays_, (c + 1) * kChunk); ++ray) walker.walk(ray, left[static_cast<std::size_t>(c)]);
+        LightWalker walker(stage_, index, rays, on_picture);
+        for (int ray = c * kChunk; ray < std::min(rays, (c + 1) * kChunk); ++ray) walker.walk(ray, left[static_cast<std::size_t>(c)]);
     });
     std::vector<Photon> photons;
     std::vector<Splat> splats;
@@ -87,7 +95,7 @@ std::shared_ptr<const LightPass> LightPasses::made(int index) const {
     }
     Splats drawn = picture_of(stage_.options);
     drawn.take(std::move(splats));
-    return std::make_shared<LightPass>(PhotonMap(std::move(photons), radius(index)), std::move(drawn), draws_ == Draws::kOntoPicture);
+    return std::make_shared<LightPass>(PhotonMap(std::move(photons), radius(index)), std::move(drawn), on_picture);
 }
 
 }  // namespace whittle

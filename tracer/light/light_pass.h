@@ -33,29 +33,39 @@ private:
     bool on_picture_;
 };
 
+// What the passes of a stage are.
+struct PassPlan {
+    enum class Draws { kOntoPicture, kNothing };
+    int rays = 1;                  // of a pass
+    Draws draws = Draws::kNothing;
+    bool once = false;             // one pass stands for all samples
+    std::int64_t shrunk_for = 0;   // > 0: the search radius is that of as many rays in all; else it shrinks from pass to pass
+};
+
 // The passes of a stage. Made when first asked for, the latest kept; each depends on the seed and its number only.
 class LightPasses {
 public:
-    enum class Draws { kOntoPicture, kNothing };
     // Requires: `stage` outlives it; its emission shines.
-    LightPasses(const Stage& stage, int rays, Draws draws);
+    LightPasses(const Stage& stage, const PassPlan& plan);
     ~LightPasses();
 
     // Passes [begin, end) on all cores, as far as they are kept.
     void make(int begin, int end) const;
-    std::shared_ptr<const LightPass> pass(int index) const;
+    std::shared_ptr<const LightPass> pass(int sample) const;
     // Passes that are kept: who draws more samples of a tile at once makes them again and again.
     static constexpr int kKept = 32;
     // Rays that all passes made so far have sent.
     std::uint64_t rays_sent() const;
+    // Of the search in pass `index`, mm.
     double radius(int index) const;
+    // The pass of a sample: all have the same where it is made once.
+    int number_of(int sample) const { return plan_.once ? 0 : sample; }
 
 private:
     std::shared_ptr<const LightPass> made(int index) const;
     struct Kept;
     const Stage& stage_;
-    int rays_;
-    Draws draws_;
+    PassPlan plan_;
     std::unique_ptr<Kept> kept_;
 };
 

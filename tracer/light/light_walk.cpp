@@ -103,7 +103,9 @@ bool LightWalker::scatter(Beam& beam, const Border& border, const Sampler& sampl
 }
 
 void LightWalker::leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left) {
-    left.photons.push_back({border.point, -beam.ray.direction, border.normal, beam.power * beam.hues.color()});
+    // Who gathers comes by the same lots: what gets through a cover, or goes into clear matter, is counted there.
+    const double lots = border.surface->coverage * (1 - border.surface->transmission);
+    left.photons.push_back({border.point, -beam.ray.direction, border.normal, beam.power * beam.hues.color() / lots});
     if (on_picture_) draw(beam, border, sampler, left);
 }
 

@@ -42,12 +42,13 @@ struct Shard { int index = 0, count = 1; };
 // A quarter of a step of eight bits.
 inline constexpr double kOwnNoise = 0x1p-10;
 
-// Requires: width, height, samples, light_samples >= 1; max_depth >= 0; 0 <= shard.index < shard.count; region inside the picture.
+// Requires: width, height, samples, light_samples >= 1; max_depth, photons >= 0; 0 <= shard.index < shard.count; region inside the picture.
 struct RenderOptions {
     int width = 512, height = 512;
     int samples = 16;
     int light_samples = 1;  // shadow rays a light and hit
     int max_depth = 16;     // mirrors and refractions one after the other
+    int photons = 0;        // rays from the lamps that whitted and distributed send once, for caustics; 0: lamps shine straight through what is clear
     Integrator integrator = Integrator::kAuto;
     Look look = Look::kShaded;
     std::optional<ColorScheme> scheme;   // of the preview: background, faces without a colour; other integrators have their studio

@@ -22,6 +22,7 @@ Result<void> check(const RenderOptions& o) {
     if (o.width < 1 || o.height < 1 || static_cast<double>(o.width) * o.height > kMostPixels)
         return fail(Fault::kCommand, fmt::format("A picture of {} x {} pixels can't be made", o.width, o.height));
     if (o.samples < 1 || o.light_samples < 1) return fail(Fault::kCommand, "At least one sample is needed");
+    if (o.photons < 0) return fail(Fault::kCommand, "The number of photons can't be negative");
     if (o.max_depth < 0) return fail(Fault::kCommand, "The depth limit can't be negative");
     if (o.shard.count < 1 || o.shard.index < 0 || o.shard.index >= o.shard.count) return fail(Fault::kCommand, "A shard is k/n with 0 <= k < n");
     if (!o.region) return {};
@@ -76,9 +77,9 @@ struct Choice {
     std::string reason;
 };
 
-// In the studio lamps are no things and throw no caustics.
-Choice cheapest(const StageNeeds& needs, bool studio) {
-    if (needs.photons && !studio) return {Integrator::kCaustics, "lamps shine through clear matter or off mirrors"};
+// In the studio lamps are no things and throw no caustics. `tree`: photons of its own are asked for, so caustics are seen without paths.
+Choice cheapest(const StageNeeds& needs, bool studio, bool tree) {
+    if (needs.photons && !studio && !tree) return {Integrator::kCaustics, "lamps shine through clear matter or off mirrors"};
     if (needs.shutter) return {Integrator::kDistributed, "something moves"};
     if (needs.lens) return {Integrator::kDistributed, "the lens has an aperture"};
     if (needs.spectrum) return {Integrator::kDistributed, "matter disperses light"};
@@ -136,17 +137,28 @@ void drop_lamps(Stage& stage) {
     stage.lights.erase(std::remove_if(stage.lights.begin(), stage.lights.end(), useless), stage.lights.end());
 }
 
+// Of the tree of mirrors and refractions: one for all samples, as long as nothing moves.
+PassPlan plan_of_tree(const Stage& stage) {
+    const RenderOptions& o = stage.options;
+    const bool once = !stage.needs.shutter || !stage.distributes() || o.samples == 1;
+    return {once ? o.photons : std::max(1, o.photons / o.samples), PassPlan::Draws::kNothing, once, o.photons};
+}
+
+// Of paths: as many rays as pixels, so that lamp and eye share the work; enough for small pictures, not too many to be held.
+PassPlan plan_of_paths(const RenderOptions& o) {
+    constexpr double kFewest = 0x1p14, kMost = 0x1p18;
+    const double pixels = static_cast<double>(o.width) * o.height;
+    return {static_cast<int>(std::clamp(pixels, kFewest, kMost)), o.trace_onto_picture ? PassPlan::Draws::kOntoPicture : PassPlan::Draws::kNothing, false, 0};
+}
+
 void add_light_passes(const Bounds& bounds, bool studio, Stage& stage) {
-    if (stage.integrator != Integrator::kCaustics || studio) return;
+    const bool paths = stage.integrator == Integrator::kCaustics, tree = !paths && stage.options.photons > 0;
+    if ((!paths && !tree) || studio) return;
     const bool in_vain = is_disabled(stage.options.disabled_passes, "photons") && !stage.needs.photons;
     if (!stage.needs.photons && !in_vain) return;
     stage.emission = Emission(stage.lights, aims_around(in_vain ? std::vector<Bounds>{bounds} : stage.world.focusing_bounds()), bounds);
     if (!stage.emission.shines()) return;
-    // As many rays as pixels, so that lamp and eye share the work; enough for small pictures, not too many to be held.
-    constexpr double kFewest = 0x1p14, kMost = 0x1p18;
-    const double pixels = static_cast<double>(stage.options.width) * stage.options.height;
-    const auto draws = stage.options.trace_onto_picture ? LightPasses::Draws::kOntoPicture : LightPasses::Draws::kNothing;
-    stage.light_passes = std::make_shared<const LightPasses>(stage, static_cast<int>(std::clamp(pixels, kFewest, kMost)), draws);
+    stage.light_passes = std::make_shared<const LightPasses>(stage, tree ? plan_of_tree(stage) : plan_of_paths(stage.options));
 }
 
 double half_diagonal(const Bounds& b) {
@@ -193,9 +205,11 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
         if (const Result<void> added = add_lights(scene, centre_of(bounds), *stage); !added) return tl::unexpected<Error>(added.error());
     }
     stage->needs = needs_of(stage->world, stage->lights, *lens, scene.solid);
-    const Choice choice = cheapest(stage->needs, studio);
+    const Choice choice = cheapest(stage->needs, studio, options.photons > 0);
     stage->integrator = options.integrator == Integrator::kAuto ? choice.integrator : options.integrator;
     if (options.integrator == Integrator::kAuto) stage->reason = choice.reason;
+    if (options.photons > 0 && stage->integrator != Integrator::kWhitted && stage->integrator != Integrator::kDistributed)
+        return fail(Fault::kCommand, "--photons goes with --integrator whitted or distributed");
     stage->noise = options.noise.value_or(stage->distributes() ? 0 : kOwnNoise);
     need_in_vain(options.disabled_passes, stage->needs);
     drop_lamps(*stage);

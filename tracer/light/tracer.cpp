@@ -41,6 +41,7 @@ constexpr int kMostCovers = 64;
 CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& sampler, const FirstBorder* first) {
     sampler_ = &sampler;
     time_ = ray.time;
+    take_pass(static_cast<int>(sampler.index()));
     ++counters_.camera;
     FirstBorder asked;
     if (!first) asked.met = stage_.world.next(ray, nullptr, kInfinity, scratch_, asked.border);
@@ -52,10 +53,19 @@ CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& s
     return {stage_.surroundings.backdrop(ray.direction, height), 0};
 }
 
+void Tracer::take_pass(int sample) {
+    if (!stage_.light_passes || stage_.light_passes->number_of(sample) == pass_number_) return;
+    auto pass = stage_.light_passes->pass(sample);
+    pass_number_ = stage_.light_passes->number_of(sample);
+    // Made in vain (--disable photons), it says nothing.
+    if (stage_.needs.photons) pass_ = std::move(pass);
+}
+
 Vec3 Tracer::seen(const Ray& ray, const FirstBorder& first, const Branch& branch) {
     LightMet lamp;
-    if (branch.sees_lights && direct_.lamp_seen(ray, first.met ? first.border.t : kInfinity, lamp)) return lamp.radiance;
-    return first.met ? shade(ray, first.border, branch) : stage_.surroundings.radiance(ray.direction);
+    if (branch.sees_lights && direct_.lamp_seen(ray, first.met ? first.border.t : kInfinity, lamp)) return brought(branch) ? Vec3(0) : lamp.radiance;
+    if (first.met) return shade(ray, first.border, branch);
+    return brought(branch) && stage_.surroundings.map() ? Vec3(0) : stage_.surroundings.radiance(ray.direction);
 }
 
 Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch) {
@@ -155,6 +165,7 @@ Vec3 Tracer::shade_as(const Surface& s, const Ray& ray, const Border& border, co
 Vec3 Tracer::lit(const Surface& s, const Border& border, const Bsdf& bsdf, const Branch& branch) {
     if (s.metal >= 1 && s.sharp()) return Vec3(0);
     Vec3 sum = sky(s, border, bsdf, branch);
+    if (pass_) sum += pass_->gathered(border, bsdf);
     for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
         const LightSource& light = stage_.lights[i];
         // In a metal the picture of the surroundings is met by the ray that follows.
@@ -166,7 +177,7 @@ Vec3 Tracer::lit(const Surface& s, const Border& border, const Bsdf& bsdf, const
             if (!(cos_light > 0) || (sample.radiance == Vec3(0) && !stage_.needs.dark_lamps)) continue;
             const bool shadow = light.casts_shadow && stage_.integrator != Integrator::kPreview;
             const Vec3 share = shadow && cones() ? direct_.cone_transmittance(border, light, sample, footprint(border, bsdf.view(), branch.wide))
-                               : shadow            ? direct_.transmittance(border, sample.direction, sample.distance, time_, ClearShadows::kLetThrough)
+                               : shadow            ? direct_.transmittance(border, sample.direction, sample.distance, time_, clear_shadows())
                                                    : Vec3(1);
             if (share == Vec3(0)) continue;
             sum += (dull ? bsdf.dull_value(cos_light) : bsdf.value(sample.direction, cos_light)) * share * sample.radiance * (cos_light / parts);
@@ -211,7 +222,9 @@ Vec3 Tracer::reflection(const Surface& s, const Ray& ray, const Border& border, 
     if (onward.weight < kLeastWeight) return Vec3(0);
     ++onward.depth;
     onward.sees_lights = s.sharp();
+    onward.brought = s.sharp() && branch.rough;
     if (!s.sharp()) {
+        onward.rough = true;
         onward.spread = std::max(kRoughImage, s.alpha);
         onward.widens += kLobeRadius * s.alpha;
     }
@@ -226,6 +239,8 @@ Vec3 Tracer::through_clear(const Surface& s, const Ray& ray, const Border& borde
     Branch onward = branch;
     ++onward.depth;
     onward.sees_lights = s.sharp();
+    onward.brought = s.sharp() && branch.rough;
+    onward.rough = branch.rough || !s.sharp();
     if (!s.sharp()) onward.spread = std::max(kRoughImage, s.alpha);
     const double reach = branch.weight * largest(absorbed_before(border));
     if (!s.sharp() && distributes()) {

@@ -2,8 +2,11 @@
 //
 // With cones instead of rays (cone.h) edges that cross a pixel, a lamp's disc or a blurred image divide it: one ray for each part.
 //
+// With light passes (light_pass.h) the tree's leaves see caustics too: photons are gathered wherever lamps are asked, and clear matter throws full shadows.
+//
 // One object a thread; of memory it owns only what cones are divided in. Continuation rays carry the events they leave, so there is no epsilon anywhere.
-// Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984); Amanatides, Ray Tracing with Cones (1984).
+// Sources: Whitted, An Improved Illumination Model (1980); Cook, Porter, Carpenter, Distributed Ray Tracing (1984); Amanatides, Ray Tracing with Cones (1984);
+// Jensen, Global Illumination using Photon Maps (1996).
 #pragma once
 
 #include <memory>
@@ -12,6 +15,7 @@
 #include "tracer/light/bsdf.h"
 #include "tracer/light/clear.h"
 #include "tracer/light/direct.h"
+#include "tracer/light/light_pass.h"
 #include "tracer/light/sampler.h"
 #include "tracer/light/stage.h"
 
@@ -36,6 +40,8 @@ private:
         double weight = 1;
         double spread = 0;  // GGX alpha that rough mirrors on the way have blurred everything by
         bool sees_lights = true;
+        bool rough = false;    // a rough mirror or rough clear matter is on the way
+        bool brought = false;  // and after it a sharp one: where there are photons they bring what lamps send by that way
         double wide = 0, widens = 0;  // cone tracing: radius where the ray starts (where shaded: ends), and by how much it grows a mm
         Vec3 out{0};  // cone tracing: normal of the surface left, on the side that the ray goes to
         Hues hues;
@@ -45,6 +51,10 @@ private:
     CameraLight cone_light(const Ray& ray, double height, const FirstBorder& first);
     Vec3 follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis);
     Vec3 seen(const Ray& ray, const FirstBorder& first, const Branch& branch);
+    void take_pass(int sample);
+    bool brought(const Branch& branch) const { return pass_ && branch.brought; }
+    // How shadow rays meet clear matter: where there are photons they bring the light behind it.
+    ClearShadows clear_shadows() const { return pass_ ? ClearShadows::kBlock : ClearShadows::kLetThrough; }
     static Footprint footprint(const Border& border, Vec3 view, double radius);
     Vec3 shade(const Ray& ray, const Border& border, const Branch& branch);
     Vec3 shade_as(const Surface& surface, const Ray& ray, const Border& border, const Branch& branch);
@@ -64,6 +74,8 @@ private:
     RenderCounters& counters_;
     std::unique_ptr<ConeSplitter> cones_;  // null: rays have no width
     const Sampler* sampler_ = nullptr;
+    std::shared_ptr<const LightPass> pass_;  // of the sample; null: there are no photons
+    int pass_number_ = -1;
     double time_ = 0;  // of the sample
 };
 
