@@ -5,6 +5,7 @@
 #include "tracer/engine/packet_coarse.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "tracer/engine/certificates.h"
 
