@@ -124,7 +124,8 @@ void LightWalker::draw(const Beam& beam, const Border& border, const Sampler& sa
     // A unit of the picture's plane holds (height / 2)^2 pixels.
     const Vec3 flux = beam.power * beam.hues.color() * bsdf.value(-beam.ray.direction, -glm::dot(beam.ray.direction, border.normal));
     Vec3 light = flux * (cosine * seen->radiance_per_intensity * half * half);
-    if (border.before) light /= border.before->ior * border.before->ior;
+    // In clear matter, where the eye is too, radiance is as much more as its index squared. What only lets a share of light by bends none.
+    if (border.before && border.before->clear()) light /= border.before->ior * border.before->ior;
     light *= direct_.transmittance(border, to / distance, distance, beam.ray.time, ClearShadows::kBlock);
     if (light == Vec3(0) || !std::isfinite(light.x + light.y + light.z)) return;
     left.splats.push_back({at, light});

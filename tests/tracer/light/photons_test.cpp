@@ -157,12 +157,14 @@ TEST_CASE("photons on what is half clear count as much as light drawn there") {
 }
 
 TEST_CASE("photons on a sheet that covers half: its upper face shows half of what an opaque one does, its lower face an eighth") {
-    const auto seen = [](double coverage) {
+    const auto seen = [](double coverage, const RenderOptions& by) {
         Material veil = matte(0.02, 0.02, 0.02);
         veil.color->w = coverage;
-        return mean(drawn(ball_over(veil, 8, 14, 0.1), lamp_and_caustic(), options_of(Integrator::kWhitted, 1 << 20, 64)).film);
+        return mean(drawn(ball_over(veil, 8, 14, 0.1), lamp_and_caustic(), by).film);
     };
-    CHECK(seen(0.5) == Approx(0.625 * seen(1)).epsilon(0.02));
+    const RenderOptions photons = options_of(Integrator::kWhitted, 1 << 20, 64), traced = options_of(Integrator::kCaustics, 0, 256);
+    CHECK(seen(0.5, photons) == Approx(0.625 * seen(1, photons)).epsilon(0.02));
+    CHECK(seen(0.5, traced) == Approx(0.625 * seen(1, traced)).epsilon(0.02));
 }
 
 TEST_CASE("where something moves, every sample has photons of its own time") {
