@@ -10,7 +10,7 @@ namespace whittle::bench {
 
 namespace {
 
-constexpr double kWidth = 260, kHeight = 190, kLeft = 44, kTop = 26, kBottom = 30, kRight = 10;
+constexpr double kWidth = 330, kHeight = 190, kLeft = 44, kTop = 26, kBottom = 30, kRight = 80;
 constexpr int kColumns = 4;
 constexpr std::array<const char*, 6> kInks{"#1b6ca8", "#d1495b", "#3a7d44", "#e09f3e", "#6a4c93", "#444444"};
 
@@ -30,14 +30,14 @@ std::size_t place_in(const std::vector<std::string>& names, const std::string& n
 
 std::string dash(std::size_t i) { return kDashes[i % kDashes.size()][0] ? fmt::format(" stroke-dasharray='{}'", kDashes[i % kDashes.size()]) : std::string(); }
 
-// Below the plot's upper right corner: inks, then dashes.
-std::string legend(const std::vector<std::string>& inks, const std::vector<std::string>& dashes, double right) {
+// Right of the plot, from its upper corner down: inks, then dashes.
+std::string legend(const std::vector<std::string>& inks, const std::vector<std::string>& dashes, double left) {
     std::string svg;
     double y = kTop + 10;
     for (std::size_t i = 0; i < inks.size(); ++i, y += 11)
-        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='end'>{}</text>\n", right, y, kInks[i % kInks.size()], inks[i]);
+        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' fill='{}'>{}</text>\n", left, y, kInks[i % kInks.size()], inks[i]);
     for (std::size_t i = 0; dashes.size() > 1 && i < dashes.size(); ++i, y += 11)
-        svg += fmt::format("<path d='M{:.1f} {:.1f}h18' stroke='#444'{}/><text x='{:.1f}' y='{:.1f}' text-anchor='end'>{}</text>\n", right - 18, y - 3, dash(i), right - 22, y, dashes[i]);
+        svg += fmt::format("<path d='M{:.1f} {:.1f}h18' stroke='#444'{}/><text x='{:.1f}' y='{:.1f}'>{}</text>\n", left, y - 3, dash(i), left + 22, y, dashes[i]);
     return svg;
 }
 
@@ -83,7 +83,7 @@ std::string panel(const LightPanel& p, const std::string& axes) {
         const std::string dashed = line.sampler.empty() ? std::string() : dash(place_in(dashes, line.sampler));
         svg += fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.5'{}/>{}\n", path, ink, dashed, dots);
     }
-    svg += legend(inks, dashes, kLeft + w);
+    svg += legend(inks, dashes, kLeft + w + 6);
     return svg + fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{}</text>\n", kLeft + w / 2, kHeight - 4, axes);
 }
 
