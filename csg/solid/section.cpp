@@ -80,6 +80,80 @@ struct LevelOf {
     std::optional<Use> operator()(const auto&) { return std::nullopt; }
 };
 
+// The corners of a convex polygon where `value`, which is linear, is not negative.
+template <class Value>
+std::vector<Vec2> clipped(const std::vector<Vec2>& corners, Value value) {
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double from = value(a), to = value(b);
+        if (from >= 0) kept.push_back(a);
+        if ((from < 0) != (to < 0) && from != 0 && to != 0) kept.push_back(a + (b - a) * (from / (from - to)));
+    }
+    return kept;
+}
+
+// A prism that stands askew: its profile, seen along its axis from the plane, as far as the plane is between its ends. Nothing where it all but lies in the plane.
+std::optional<Use> section_of_askew(SolidBuilder& builder, const Prism& prism, const Placement& at) {
+    constexpr double kLeastRise = 1e-6;
+    const double a = at.linear(2, 0), b = at.linear(2, 1), up = at.linear(2, 2), off = at.offset(2);
+    if (!(std::fabs(up) > kLeastRise * std::hypot(a, b))) return std::nullopt;
+    const auto height = [&](const Vec2& p) { return -(a * p.x + b * p.y + off) / up; };
+    const Bounds box = builder.bounds(prism.profile);
+    const Vec3 room = 0.0625 * (box.hi - box.lo), lo = box.lo - room, hi = box.hi + room;
+    const std::vector<Vec2> whole{{lo.x, lo.y}, {hi.x, lo.y}, {hi.x, hi.y}, {lo.x, hi.y}};
+    std::vector<Vec2> between = clipped(whole, [&](const Vec2& p) { return height(p) - prism.z0; });
+    if (between.size() >= 3) between = clipped(between, [&](const Vec2& p) { return prism.z1 - height(p); });
+    if (between.size() < 3) return use_of(kEmptyNode);
+    Use part = prism.profile;
+    if (between != whole) part = use_of(builder.combine(SetOp::kIntersection, {part, *polygon(builder, {between})}));
+    Placement seen;
+    for (int i = 0; i < 2; ++i) {
+        const double along = at.linear(i, 2) / up;
+        seen.m[static_cast<std::size_t>(4 * i)] = at.linear(i, 0) - along * a;
+        seen.m[static_cast<std::size_t>(4 * i + 1)] = at.linear(i, 1) - along * b;
+        seen.m[static_cast<std::size_t>(4 * i + 2)] = 0;
+        seen.m[static_cast<std::size_t>(4 * i + 3)] = at.offset(i) - along * off;
+    }
+    return builder.placed(seen, part);
+}
+
+// A cylinder whose axis is parallel to the plane.
+std::optional<Use> section_of_lying(SolidBuilder& builder, const shape::Frustum& s, const Placement& at) {
+    const double a = at.linear(2, 0), b = at.linear(2, 1), n = std::hypot(a, b), d = at.offset(2) / n;
+    if (!(std::fabs(d) < s.r0)) return use_of(kEmptyNode);
+    const double half = std::sqrt((s.r0 - d) * (s.r0 + d));
+    std::vector<Vec2> corners;
+    for (const auto& [side, z] : {std::pair(-half, s.z0), std::pair(half, s.z0), std::pair(half, s.z1), std::pair(-half, s.z1)}) {
+        const Vec3 p = apply_to_point(at, Vec3((-d * a - side * b) / n, (-d * b + side * a) / n, z));
+        corners.push_back({p.x, p.y});
+    }
+    return polygon(builder, {corners});
+}
+
+// An ellipsoid however it is placed: a circle of the unit ball, whose plane's normal is what z is there.
+std::optional<Use> section_of_ball(SolidBuilder& builder, const shape::Ellipsoid& s, const Placement& at) {
+    const auto row = [&](int i) { return Vec3(at.linear(i, 0) * s.radii.x, at.linear(i, 1) * s.radii.y, at.linear(i, 2) * s.radii.z); };
+    const Vec3 rise = row(2);
+    const double d = -at.offset(2) / glm::length(rise);
+    if (!(std::fabs(d) < 1)) return use_of(kEmptyNode);
+    const Vec3 normal = glm::normalize(rise), size = glm::abs(normal);
+    const Vec3 aside = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0) : size.y <= size.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+    const double r = std::sqrt((1 - d) * (1 + d));
+    const Vec3 u = r * glm::normalize(glm::cross(normal, aside)), v = glm::cross(normal, u);
+    const Vec3 x = row(0), y = row(1);
+    const Placement seen{{glm::dot(x, u), glm::dot(x, v), 0, at.offset(0) + d * glm::dot(x, normal), glm::dot(y, u), glm::dot(y, v), 0, at.offset(1) + d * glm::dot(y, normal), 0, 0, 1, 0}};
+    return builder.placed(seen, use_of(builder.shape(shape::Disc{1})));
+}
+
+std::optional<Use> section_of_turned(SolidBuilder& builder, NodeId id, const Shape& s, const Placement& at) {
+    if (const auto* ball = std::get_if<shape::Ellipsoid>(&s)) return section_of_ball(builder, *ball, at);
+    const auto* frustum = std::get_if<shape::Frustum>(&s);
+    if (frustum && frustum->r0 == frustum->r1 && at.linear(2, 2) == 0) return section_of_lying(builder, *frustum, at);
+    const auto prism = prism_of(builder, use_of(id));
+    return prism ? section_of_askew(builder, *prism, at) : std::nullopt;
+}
+
 std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Placement& at) {
     const Shape s = std::get<Shape>(builder.node(id));
     if (is_faceted(s) && !(keeps_z(at) && std::holds_alternative<shape::Box>(s))) {
@@ -94,7 +168,7 @@ std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Plac
         if (scale && std::fabs(z) >= r) return use_of(kEmptyNode);
         if (scale) return use_of(builder.shape(shape::Disc{std::sqrt((r - z) * (r + z))}), Placement::translation({at.offset(0), at.offset(1), 0}));
     }
-    if (!keeps_z(at)) return std::nullopt;
+    if (!keeps_z(at)) return section_of_turned(builder, id, s, at);
     const double up = at.linear(2, 2);
     if (up < 0) return std::nullopt;  // its lower neighbourhood would count
     auto level = std::visit(LevelOf{builder, -at.offset(2) / up}, s);

@@ -17,6 +17,7 @@ ReadScene read_scene(const std::string& path, const std::vector<std::string>& de
     EvaluateInput input;
     input.path = path;
     input.definitions = definitions;
+    input.library_paths = library_paths();
     auto evaluated = evaluate(input, files);
     REQUIRE(evaluated);
     ReadScene r;

@@ -62,6 +62,7 @@ Facts facts_of(const Mesh& mesh) {
 
 // Of a scene in OpenSCAD's facets.
 Facts made_by_us(EvaluateInput input) {
+    input.library_paths = library_paths();
     Files files;
     auto evaluated = evaluate(input, files);
     REQUIRE(evaluated);
