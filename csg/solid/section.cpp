@@ -95,6 +95,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& corners, Value value) {
 
 // A prism that stands askew: its profile, seen along its axis from the plane, as far as the plane is between its ends. Nothing where it all but lies in the plane.
 std::optional<Use> section_of_askew(SolidBuilder& builder, const Prism& prism, const Placement& at) {
+    // A flatter one is a million times as long as its profile is wide: corners found on it would have lost six of their digits.
     constexpr double kLeastRise = 1e-6;
     const double a = at.linear(2, 0), b = at.linear(2, 1), up = at.linear(2, 2), off = at.offset(2);
     if (!(std::fabs(up) > kLeastRise * std::hypot(a, b))) return std::nullopt;
