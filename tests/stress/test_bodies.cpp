@@ -92,3 +92,14 @@ TEST_CASE("a ray along a ridge of a body meets it where the rule moves it") {
     const support::RandomSolid found = support::random_solid(support::Theme::kConvex, 9530342704977579889u);
     CHECK(fault(found.solid, ray({-0x1.bp+2, 0x0p+0, 0x1.4p+1}, {0x1.6204306ba0908p+6, 0x0p+0, 0x0p+0}), false) == "");
 }
+
+TEST_CASE("two bodies whose flat faces became one plane agree about a ray in that plane") {
+    SolidBuilder b;
+    const ConvexParts parts{{{-0.75, 0, 0}, {disc(1.5)}}, {{0x1.4cdp+0, 0.75, 0}, {disc(0x1.4cdp+0)}}, {{-0.75, 0, 0.75}, {disc(0.75)}}};
+    const NodeId saddle = b.shape(shape::Quadric{{1, -1, 0, 0, 0, 0, 0, 0, -1, 0}}), box = b.shape(shape::Box{{-3, -3, -3}, {3, 3, 3}});
+    const Placement little{{1, 0, 0, 4.95e-14, 0, 1, 0, -6.6e-14, 0, 0, 1, -6.6e-14}}, mirrored{{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+    const NodeId rest = b.combine(SetOp::kDifference, {use(saddle), use(body(b, parts), little)});
+    const NodeId both = b.combine(SetOp::kUnion, {use(rest, mirrored), use(body(b, parts))});
+    const Solid solid = b.finish(use(b.combine(SetOp::kIntersection, {use(box), use(both)})));
+    CHECK(fault(solid, ray({0x1.e65fffffffc88p-2, 0x1.7fffffffffb5bp-2, -0x1.293cd1bde90c6p-44}, {-0x1.c668p+1, 0x1.8p-1, 0x0p+0})) == "");
+}

@@ -13,6 +13,9 @@ namespace {
 // Of the body's size: how far outside of a flat face the body's own crossing is put. More than snapping moves planes by.
 constexpr double kOutside = 0x1p-26;
 
+// Of the body's size: more than snapping moves its planes by, were they a neighbour's sixteen times as large.
+constexpr double kMoved = 0x1p-40;
+
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 double size_of(const std::array<double, 3>& v) { return glm::length(vector_of(v)); }
 
@@ -62,6 +65,17 @@ void yield_to_faces(const ConvexHullBody& body, const Vec3& o, const Vec3& d, do
     }
 }
 
+// Does the line, which misses the body, run almost in the plane of a flat face and so near the body that it meets it where the face is in a plane that the snap
+// has moved outward?
+bool may_meet_moved_face(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room) {
+    const double length = glm::length(d);
+    const bool along = std::any_of(body.faces.begin(), body.faces.end(), [&](const FlatFace& face) {
+        const Vec3 from = o - face.middle;
+        return std::abs(glm::dot(face.n, d)) <= kAlong * length && std::abs(glm::dot(face.n, from)) <= kAlong * (body.size + glm::length(from));
+    });
+    return along && span_on_line(body, o, d, room + kMoved * body.size).kind != ConvexSpan::Kind::kMissed;
+}
+
 // `certain` is false where the answer is no certificate.
 bool crossings_of(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room, bool leaving, Crossings& out, bool& certain) {
     out.count = 0;
@@ -71,7 +85,7 @@ bool crossings_of(const ConvexHullBody& body, const Vec3& o, const Vec3& d, doub
     if (!std::isfinite(span / length) || !(room < 0x1p-14 * body.size)) return false;
     ConvexSpan found = span_on_line(body, o, d, room);
     if (found.kind == ConvexSpan::Kind::kUnclear) return false;
-    if (found.kind == ConvexSpan::Kind::kMissed) return !leaving;
+    if (found.kind == ConvexSpan::Kind::kMissed) return !leaving && !may_meet_moved_face(body, o, d, room);
     yield_to_faces(body, o, d, room, 1, found.in);
     yield_to_faces(body, o, d, room, -1, found.out);
     if (leaving) {
@@ -103,7 +117,8 @@ void unsettled_convex(const Frame& frame, const Ray& ray, bool leaving, Crossing
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) scale = std::max(scale, std::abs(frame.placement.linear(i, j)));
     const double size = body.size * scale;
-    for (const double share : {0.0, 0x1p-50, 0x1p-44, 0x1p-38, 0x1p-32}) {
+    // First by more than snapping moves planes by, so that bodies with one plane agree.
+    for (const double share : {0x1p-38, 0x1p-32, 0x1p-44, 0x1p-50}) {
         Ray moved = ray;
         moved.origin += share * size * kPerturbation[0];
         const FrameRay local = ray_in_frame(frame, moved);
