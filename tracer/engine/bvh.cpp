@@ -191,9 +191,15 @@ Hierarchy build_hierarchy(const std::vector<Bounds>& boxes, double item_cost, st
 SlabRay slab_ray(const std::array<double, 3>& o, const std::array<double, 3>& d) {
     SlabRay r;
     r.o = o;
+    r.common = true;
     for (std::size_t i = 0; i < 3; ++i) {
         r.inverse[i] = 1 / d[i];
         r.negative[i] = std::signbit(d[i]) ? 1 : 0;
+        const double length = std::abs(d[i]), room = std::copysign(std::abs(o[i]) * 0x1p-22, d[i]);
+        r.common = r.common && std::abs(o[i]) < 0x1p60 && (o[i] == 0 || std::abs(o[i]) > 0x1p-100) && (length == 0 || (length > 0x1p-60 && length < 0x1p10));
+        r.ahead[i] = static_cast<float>(o[i] + room);
+        r.behind[i] = static_cast<float>(o[i] - room);
+        r.inverse_float[i] = static_cast<float>(r.inverse[i]);
     }
     return r;
 }

@@ -38,6 +38,9 @@ Hierarchy build_hierarchy(const std::vector<Bounds>& boxes, double item_cost, st
 struct SlabRay {
     std::array<double, 3> o, inverse;
     std::array<std::uint8_t, 3> negative;
+    // In float: the origin moved along the ray, for the sides it meets first, and against it, for the others, by more than float rounds it.
+    std::array<float, 3> ahead, behind, inverse_float;
+    bool common;  // neither so long, so short nor so far off that boxes could not be met in float
 };
 
 SlabRay slab_ray(const std::array<double, 3>& o, const std::array<double, 3>& d);

@@ -11,7 +11,7 @@ void Walker::start(const Program& program, const Ray& ray, EngineCounters& count
     far_ = far;
     boxes_ = program.makes(EnginePass::kBoxes);
     occlusion_ = program.makes(EnginePass::kOcclusion);
-    boxes_ahead_ = boxes_ahead();
+    boxes_ahead_ = context_.slab().common ? boxes_ahead() : &boxes_ahead_in_double;
     boxes_touched_ = boxes_touched();
     top_ = 0;
     met_.clear();
@@ -81,7 +81,7 @@ void fetch(const WideNode& node) {
 void Walker::open(const WideNode& node, const Range& range) {
     const Program& program = context_.program();
     if (waiting_.size() < top_ + kWideBoxes) waiting_.resize(2 * (top_ + kWideBoxes));
-    std::array<double, kWideBoxes> from;
+    std::array<float, kWideBoxes> from;
     const BoxesAhead ahead = boxes_ahead_(node, context_.slab(), range.begin, range.end, from);
     late_ += ahead.late;
     Waiting* const met = waiting_.data() + top_;

@@ -108,7 +108,7 @@ private:
     // Of the hierarchies that are being gone through, the innermost last: a stack of `top_`.
     struct Waiting {
         WideChild child;
-        double from;
+        float from;
     };
     std::vector<Waiting> waiting_;
     std::size_t top_ = 0;

@@ -18,6 +18,23 @@ HWY_EXPORT(boxes_touched_by);
 HWY_EXPORT(boxes_met_by);
 
 BoxesAheadOf boxes_ahead() { return &HWY_DYNAMIC_DISPATCH(boxes_ahead_of); }
+BoxesAhead boxes_ahead_in_double(const WideNode& node, const SlabRay& ray, double begin, double end, std::array<float, kWideBoxes>& from) {
+    BoxesAhead ahead;
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+        std::array<float, 3> lo, hi;
+        for (std::size_t i = 0; i < 3; ++i) lo[i] = node.side[0][i][k], hi[i] = node.side[1][i][k];
+        double enters = 0, leaves = 0;
+        from[k] = -HUGE_VALF;  // it may be beyond float
+        if (!slab_interval(lo, hi, ray, enters, leaves) || leaves < begin) continue;
+        if (enters <= end) {
+            ahead.met |= 1u << k;
+        } else {
+            ++ahead.late;
+        }
+    }
+    return ahead;
+}
+
 BoxesTouchedBy boxes_touched() { return &HWY_DYNAMIC_DISPATCH(boxes_touched_by); }
 
 namespace {

@@ -2,7 +2,7 @@
 //
 // Made of the binary hierarchy by opening the largest children first, as long as they hold more items than a node has places; what holds fewer is a node of
 // its own or, where there is room, its items. So an item is asked only where the ray meets its own box.
-// Boxes are float, rounded outward, and met in double: they cull and never decide.
+// Boxes are float, rounded outward, and met in float with room for its roundings (in double by rays of uncommon lengths): they cull and never decide.
 // Source: Wald, Benthin, Boulos, Getting rid of packets (2008); Dammertz, Hanika, Keller, Shallow bounding volume hierarchies (2008).
 #pragma once
 
@@ -39,8 +39,11 @@ std::uint32_t widen(const Hierarchy& hierarchy, const std::vector<FloatBox>& box
 struct BoxesAhead {
     std::uint32_t met = 0, late = 0;
 };
-// `from`, set for all: from where on the ray is in the box.
-using BoxesAheadOf = BoxesAhead (*)(const WideNode& node, const SlabRay& ray, double begin, double end, std::array<double, kWideBoxes>& from);
+// `from`, of all that are met: no later than where the ray enters the box. Requires: a common ray.
+using BoxesAheadOf = BoxesAhead (*)(const WideNode& node, const SlabRay& ray, double begin, double end, std::array<float, kWideBoxes>& from);
+
+// The same of any ray; slow.
+BoxesAhead boxes_ahead_in_double(const WideNode& node, const SlabRay& ray, double begin, double end, std::array<float, kWideBoxes>& from);
 
 // Children by bit whose boxes touch a box.
 using BoxesTouchedBy = std::uint32_t (*)(const WideNode& node, const FloatBox& box);

@@ -24,10 +24,26 @@ std::vector<Bounds> random_boxes(Random& random, int count) {
     return boxes;
 }
 
+// Items of boxes that the ray meets when they are grown by so much of their distance from the origin, and of its own from 0.
+std::vector<std::uint32_t> met_when_grown(const std::vector<FloatBox>& boxes, const SlabRay& ray, double begin, double end, double growth) {
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+        std::array<double, 3> lo, hi;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double here = std::abs(ray.o[i]);
+            lo[i] = boxes[k].lo[i] - growth * (here + std::abs(boxes[k].lo[i] - ray.o[i]));
+            hi[i] = boxes[k].hi[i] + growth * (here + std::abs(boxes[k].hi[i] - ray.o[i]));
+        }
+        double from = 0, to = 0;
+        if (slab_interval(lo, hi, ray, from, to) && to * (1 + growth) >= begin && from * (1 - growth) <= end) met.push_back(100 + k);
+    }
+    return met;
+}
+
 // Items below a node whose boxes the ray meets.
 void gather(const std::vector<WideNode>& nodes, std::uint32_t at, const SlabRay& ray, double begin, double end, std::vector<std::uint32_t>& out) {
-    std::array<double, kWideBoxes> from;
-    for (std::uint32_t left = boxes_ahead()(nodes[at], ray, begin, end, from).met; left != 0; left &= left - 1) {
+    std::array<float, kWideBoxes> from;
+    for (std::uint32_t left = (ray.common ? boxes_ahead() : &boxes_ahead_in_double)(nodes[at], ray, begin, end, from).met; left != 0; left &= left - 1) {
         const WideChild child = nodes[at].child[static_cast<std::size_t>(__builtin_ctz(left))];
         if (child.is_item()) {
             out.push_back(child.index());
@@ -48,29 +64,34 @@ TEST_CASE("a ray meets in the wide hierarchy the items whose boxes it meets, on 
         for (const std::uint32_t i : binary.order) boxes.push_back(outward(bounds[i]));
         std::vector<WideNode> nodes;
         const std::uint32_t root = widen(binary, boxes, 100, nodes);
-        std::size_t met = 0;
+        std::size_t met = 0, uncommon = 0;
         for (int k = 0; k < 200; ++k) {
             Ray ray = random.ray_through({Vec3(-10), Vec3(10)});
             if (k % 5 == 0) ray.direction = {0, k % 2 ? 0.0 : -0.0, k % 10 ? 1.0 : -1.0};  // along an axis
             if (k % 7 == 0) ray.origin = bounds[static_cast<std::size_t>(k % count)].lo;   // from a corner
+            if (k % 11 == 0) ray.direction *= k % 2 ? 1e-25 : 1e25;                         // not in float
+            if (k % 13 == 0) ray.origin -= 1e5 * ray.direction;
             const SlabRay slab = slab_ray({ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
             const double begin = k % 3 == 0 ? 0.5 : 0, end = k % 4 == 0 ? HUGE_VAL : begin + 0.25 * (k % 9);
-            std::vector<std::uint32_t> expected;
-            double from = 0, to = 0;
-            for (std::uint32_t i = 0; i < boxes.size(); ++i)
-                if (slab_interval(boxes[i].lo, boxes[i].hi, slab, from, to) && to >= begin && from <= end) expected.push_back(100 + i);
+            const std::vector<std::uint32_t> expected = met_when_grown(boxes, slab, begin, end, 0), most = met_when_grown(boxes, slab, begin, end, 0x1p-20);
             met += expected.size();
+            uncommon += slab.common ? 0 : 1;
+            std::vector<std::uint32_t> first;
             for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
                 hwy::SetSupportedTargetsForTest(target);
                 std::vector<std::uint32_t> found;
                 gather(nodes, root, slab, begin, end, found);
                 std::sort(found.begin(), found.end());
                 INFO(hwy::TargetName(target) << " " << count << " boxes, ray " << k);
-                CHECK(found == expected);
+                CHECK(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+                CHECK(std::includes(most.begin(), most.end(), found.begin(), found.end()));
+                if (target != hwy::SupportedAndGeneratedTargets().front()) CHECK(found == first);
+                first = found;
             }
             hwy::SetSupportedTargetsForTest(0);
         }
         CHECK(met > 0);
+        CHECK(uncommon > 10);
     }
 }
 
