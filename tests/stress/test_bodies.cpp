@@ -103,3 +103,14 @@ TEST_CASE("two bodies whose flat faces became one plane agree about a ray in tha
     const Solid solid = b.finish(use(b.combine(SetOp::kIntersection, {use(box), use(both)})));
     CHECK(fault(solid, ray({0x1.e65fffffffc88p-2, 0x1.7fffffffffb5bp-2, -0x1.293cd1bde90c6p-44}, {-0x1.c668p+1, 0x1.8p-1, 0x0p+0})) == "");
 }
+
+TEST_CASE("of two bodies that touch in a face one holds a ray in that face") {
+    SolidBuilder b;
+    const NodeId upper = body(b, {{{0, 0, 0}, {disc(1.75)}}, {{0, 0, 1.75}, {disc(1.75), ball(0.875)}}, {{0, 0, 0}, {}}});
+    const NodeId lower = body(b, {{{0, 0, -1.75}, {disc(1.75)}}, {{0, 0, -1.75}, {disc(1.75)}}, {{-1.75, -1.75, 0}, {disc(1.75)}}, {{-1.75, 1.25, 0}, {}}});
+    const NodeId both = b.combine(SetOp::kUnion, {use(upper), use(lower, moved(1.75, 1.75, 0))});
+    const Placement tilted{{1, 0, 0, 0, 0, 0x1.bb67ae8584caap-1, -0.5, 0, 0, 0.5, 0x1.bb67ae8584caap-1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(both, moved(0, 1.75, 1.75))}), tilted));
+    for (int ulps = -6; ulps <= 6; ++ulps)
+        for (const double way : {-2.0, 2.0}) CHECK(fault(solid, ray({-2.125 * way, 0x1.47f57169a862ap-1, 0x1.31fd5c5a6a18ap+1 + ulps * 0x1p-51}, {way, 0, 0}), false) == "");
+}

@@ -16,6 +16,9 @@ constexpr double kOutside = 0x1p-26;
 // Of the body's size: more than snapping moves its planes by, were they a neighbour's sixteen times as large.
 constexpr double kMoved = 0x1p-40;
 
+// How far into it a line almost in a face's plane is moved where double cannot tell: more than that.
+constexpr double kInward = 0x1p-34;
+
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 double size_of(const std::array<double, 3>& v) { return glm::length(vector_of(v)); }
 
@@ -65,15 +68,21 @@ void yield_to_faces(const ConvexHullBody& body, const Vec3& o, const Vec3& d, do
     }
 }
 
-// Does the line, which misses the body, run almost in the plane of a flat face and so near the body that it meets it where the face is in a plane that the snap
-// has moved outward?
-bool may_meet_moved_face(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room) {
-    const double length = glm::length(d);
-    const bool along = std::any_of(body.faces.begin(), body.faces.end(), [&](const FlatFace& face) {
+// Inward, of length 1 each and added up: of the flat faces in whose planes the line almost runs, near the body. What double cannot tell there the planes decide, which
+// are of the body's cell: the body itself only has to reach beyond them.
+Vec3 inward_of_faces_along(const ConvexHullBody& body, const Vec3& o, const Vec3& d) {
+    Vec3 inward(0);
+    for (const FlatFace& face : body.faces) {
         const Vec3 from = o - face.middle;
-        return std::abs(glm::dot(face.n, d)) <= kAlong * length && std::abs(glm::dot(face.n, from)) <= kAlong * (body.size + glm::length(from));
-    });
-    return along && span_on_line(body, o, d, room + kMoved * body.size).kind != ConvexSpan::Kind::kMissed;
+        const bool along = std::abs(glm::dot(face.n, d)) <= kAlong * glm::length(d) && std::abs(glm::dot(face.n, from)) <= kAlong * (body.size + glm::length(from));
+        if (along) inward -= face.n;
+    }
+    return inward;
+}
+
+// Is the line, which misses the body, so near it along a flat face that it meets it where the face is in a plane that the snap has moved outward?
+bool may_meet_moved_face(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room) {
+    return inward_of_faces_along(body, o, d) != Vec3(0) && span_on_line(body, o, d, room + kMoved * body.size).kind != ConvexSpan::Kind::kMissed;
 }
 
 // `certain` is false where the answer is no certificate.
@@ -117,13 +126,13 @@ void unsettled_convex(const Frame& frame, const Ray& ray, bool leaving, Crossing
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) scale = std::max(scale, std::abs(frame.placement.linear(i, j)));
     const double size = body.size * scale;
-    // First by more than snapping moves planes by, so that bodies with one plane agree.
-    for (const double share : {0x1p-38, 0x1p-32, 0x1p-44, 0x1p-50}) {
+    for (const double share : {0.0, 0x1p-50, 0x1p-44, 0x1p-38, 0x1p-32}) {
         Ray moved = ray;
         moved.origin += share * size * kPerturbation[0];
         const FrameRay local = ray_in_frame(frame, moved);
+        const Vec3 o = vector_of(local.o), d = vector_of(local.d);
         bool certain = false;
-        if (crossings_of(body, vector_of(local.o), vector_of(local.d), 0, leaving, out, certain)) return;
+        if (crossings_of(body, o + kInward * body.size * inward_of_faces_along(body, o, d), d, 0, leaving, out, certain)) return;
     }
     out.count = 0;
     out.first_sign = 1;
