@@ -114,3 +114,12 @@ TEST_CASE("of two bodies that touch in a face one holds a ray in that face") {
     for (int ulps = -6; ulps <= 6; ++ulps)
         for (const double way : {-2.0, 2.0}) CHECK(fault(solid, ray({-2.125 * way, 0x1.47f57169a862ap-1, 0x1.31fd5c5a6a18ap+1 + ulps * 0x1p-51}, {way, 0, 0}), false) == "");
 }
+
+TEST_CASE("a ray in the flat face of a round body and along the edges of another") {
+    SolidBuilder b;
+    const NodeId sharp = body(b, {{{1, 0, 1}, {}}, {{1, 0, -0.5}, {}}, {{-1, -1, 1}, {ball(0.5)}}, {{1.5, 0, 1.5}, {}}});
+    const NodeId pill = body(b, {{{0, 0, -0.5}, {disc(0.5), ball(0.5)}}});
+    const Placement upside_down{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(sharp, upside_down), use(pill)})));
+    CHECK(fault(solid, ray({-0x1.15dd71513fc98p+2, -0x1.d5dd71513fc98p+1, -1}, {0x1.727c9716ffb76p+0, 0x1.393e4b8b7fdbbp+0, 0}), false) == "");
+}
