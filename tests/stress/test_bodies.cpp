@@ -123,3 +123,13 @@ TEST_CASE("a ray in the flat face of a round body and along the edges of another
     const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(sharp, upside_down), use(pill)})));
     CHECK(fault(solid, ray({-0x1.15dd71513fc98p+2, -0x1.d5dd71513fc98p+1, -1}, {0x1.727c9716ffb76p+0, 0x1.393e4b8b7fdbbp+0, 0}), false) == "");
 }
+
+TEST_CASE("a body less itself written differently, along a line in its side, is nothing") {
+    SolidBuilder b;
+    const NodeId post = body(b, {{{0, -1.25, -1.25}, {disc(0.375)}}, {{0, -1.25, -0.25}, {disc(0.375)}}});
+    const double c = 0x1.bb67ae8584caap-1;
+    const Placement mirrored{{-c, -0.5, 0, 0, -0.5, c, 0, 0, 0, 0, 1, 0}}, back{{c, 0.5, 0, 0, -0.5, c, 0, 0, 0, 0, 1, 0}}, off{{1, 0, 0, 0.75, 0, 1, 0, -1, 0, 0, 1, -1.25}};
+    const NodeId other = b.combine(SetOp::kUnion, {use(post, mirrored)});
+    const Solid solid = b.finish(use(b.combine(SetOp::kDifference, {use(post), use(other, back)}), off));
+    for (const bool snap : {true, false}) CHECK(fault(solid, ray({1.125, -2.25, -3.25}, {0, 0, 0.75}), snap) == "");
+}

@@ -260,3 +260,26 @@ TEST_CASE("a border through whose point a plane leans along the ray stands where
     CHECK(hit.end.t_error < 1e-14);
     CHECK(hit.end.normal.z < -0.99);
 }
+
+TEST_CASE("a ray along a parabola's cylinder meets it as far away as it does") {
+    SolidBuilder b;
+    const NodeId profile = b.combine(SetOp::kUnion, {use(b.shape(shape::ParabolicSegment{{0, 0}, {0.75, 1.5}, {1.5, 0}}), Placement{{0, -1, 0, -0.25, 1, 0, 0, 0, 0, 0, 1, 0}})});
+    const NodeId part = b.combine(SetOp::kUnion, {use(b.shape(shape::Extrusion{profile, 0, 0.75, 0, {0, 0}, 0}), Placement{{2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.375, 0}})});
+    const Placement turned{{-0x1.605ca9fa63179p-2, 0x1.be59fb9c169e2p-1, -0x1.6511b7066821bp-2, 0, 0, 0x1.7c4b047daa439p-2, 0x1.db61dc5d87fc5p-1, 0, 0x1.e0bba8d9e3fe2p-1,
+                            0x1.472950e82e52bp-2, -0x1.05b866d1f0d9cp-3, 0}};
+    const Placement far{{10000, 0, 0, -0x1.4ca4395f84a8cp+26, 0, 10000, 0, 0x1.d903c4334958cp+24, 0, 0, 10000, -0x1.5249dec2895e2p+22}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(part, turned)}), far));
+    CHECK(fault(solid, ray({-0x1.4ce1ceed2c679p+26, 0x1.d90f51bb6a6ccp+24, -0x1.48800471121eep+22}, {0x1.d9246d3df68eep+12, 0x0p+0, -0x1.42c1fdfd49f24p+14})) == "");
+}
+
+TEST_CASE("a ray through the ridge that a profile shrinks to") {
+    SolidBuilder b;
+    const NodeId segment = b.shape(shape::ParabolicSegment{{0, 0}, {0x1.6d25eb4bd3201p-1, 0x1.6d25eb4bd3201p+0}, {0x1.6d25eb4bd3201p+0, 0}});
+    const NodeId profile = b.combine(SetOp::kUnion, {use(segment), use(b.shape(shape::Disc{1.5})), use(b.shape(shape::Rectangle{{-0.75, -0.75}, {0.75, 0.75}}), moved(1.5, 1.5, 0))});
+    const NodeId roof = b.shape(shape::Extrusion{profile, 0, 1.5, 0, {0.5, 0}, 0});
+    const NodeId part = b.combine(SetOp::kUnion, {use(roof, Placement{{0, -1, 0, -1.25, 1, 0, 0, 1.1, 0, 0, 1, -1.25}})});
+    const Placement turned{{-0x1.55741e7624568p-1, -0x1.7d83c1a291b11p-1, 0, 0, -0x1.67cea68031461p-1, 0x1.420689f43488ap-1, -0x1.547bdbe17a8b6p-2, 0, 0x1.fb6b9329b0aefp-3,
+                            -0x1.c6236c869f977p-3, -0x1.e2de41deb9c29p-1, 0}};
+    const Solid solid = b.finish(use(b.combine(SetOp::kUnion, {use(part, turned)})));
+    CHECK(fault(solid, ray({0x1.b9e714bc85e18p+0, 0x1.3e10567e2586ap+1, -0x1.0a5c8f4d88072p+1}, {0x1.10844a0340846p+1, -0x1.5d6d17a0dc8cfp+1, 0x1.765a177c1a6c1p+2})) == "");
+}

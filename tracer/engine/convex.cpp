@@ -16,8 +16,8 @@ constexpr double kOutside = 0x1p-26;
 // Of the body's size: more than snapping moves its planes by, were they a neighbour's sixteen times as large.
 constexpr double kMoved = 0x1p-40;
 
-// How far into it a line almost in a face's plane is moved where double cannot tell: more than that.
-constexpr double kInward = 0x1p-34;
+// How far into it a line almost in a face's plane is moved where double cannot tell: more than that, and than it is moved by otherwise.
+constexpr double kInward = 0x1p-27;
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 double size_of(const std::array<double, 3>& v) { return glm::length(vector_of(v)); }
@@ -126,9 +126,10 @@ void unsettled_convex(const Frame& frame, const Ray& ray, bool leaving, Crossing
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) scale = std::max(scale, std::abs(frame.placement.linear(i, j)));
     const double size = body.size * scale;
-    for (const double share : {0.0, 0x1p-50, 0x1p-44, 0x1p-38, 0x1p-32}) {
+    // The first by more than rounding and the snap part bodies that are meant to coincide: then they agree.
+    for (const double share : {0x1p-40, 0x1p-36, 0x1p-32, 0x1p-30}) {
         Ray moved = ray;
-        moved.origin += share * size * kPerturbation[0];
+        moved.origin += share * size / glm::length(kPerturbation[0]) * kPerturbation[0];
         const FrameRay local = ray_in_frame(frame, moved);
         const Vec3 o = vector_of(local.o), d = vector_of(local.d);
         bool certain = false;

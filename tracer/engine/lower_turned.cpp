@@ -92,9 +92,6 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
         Turning turning{scale == 1 ? site.chain : Chain(), scaled(twist, scale), false};
         Placer p(out_, site.chain, site.motion, {Vec3(whole.lo.x, whole.lo.y, twist.from), Vec3(whole.hi.x, whole.hi.y, twist.to)}, Absorb::kAny);
         std::vector<HalfSpaceRef> sides{p.axis_plane(2, twist.from, false), p.axis_plane(2, twist.to, true)};
-        // As of straight sides (lower_stretched.cpp): no film beyond the line that all sides run into where one scale nearly ends in 0.
-        if (e.scale_top.x != e.scale_top.y)
-            for (int axis = 0; axis < 2; ++axis) sides.insert(sides.end(), {p.axis_plane(axis, whole.lo[axis], false), p.axis_plane(axis, whole.hi[axis], true)});
         const FormulaId ends = cell(std::move(sides), p.root_box(), site);
         Site within = site;
         within.chain = Chain().then({{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0}});
@@ -105,9 +102,23 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
     return any_of(std::move(parts), site);
 }
 
+// Where a scale ends in 0, or all but, sides go on beyond the line or point that they run into, mirrored, and the plane that ends them is rounded in another frame:
+// what would be left between is a film, and may be far longer than the solid. Two planes through that line, which lean so little that the solid stays below them,
+// leave nothing beyond.
+void add_roof(const Twist& w, Placer& p, std::vector<HalfSpaceRef>& sides) {
+    constexpr double kNear = 0x1p-20;
+    const double scale = std::min(w.scale_x, w.scale_y);
+    if (!(scale < kNear) || w.to != w.z1) return;
+    const double height = w.z1 - w.z0, apex = scale == 0 ? w.z1 : std::max(w.z1, std::nextafter(w.z0 + height / (1 - scale), w.z0));
+    for (const double lean : {-height / (8 * w.reach), height / (8 * w.reach)}) sides.push_back(p.plane(w.scale_x <= w.scale_y ? Vec3(lean, 0, 1) : Vec3(0, lean, 1), apex));
+}
+
 FormulaId FormulaBuilder::turned_cell(const std::vector<Vec2>& around, const Site& site, const std::function<std::vector<HalfSpaceRef>(Placer&)>& sides) {
-    Placer p(out_, site.turning->chain, site.motion, swept_box(site.turning->twist, around), Absorb::kNothing, &site.turning->twist);
-    return cell(sides(p), p.root_box(), site);
+    const Twist& twist = site.turning->twist;
+    Placer p(out_, site.turning->chain, site.motion, swept_box(twist, around), Absorb::kNothing, &twist);
+    std::vector<HalfSpaceRef> all = sides(p);
+    add_roof(twist, p, all);
+    return cell(std::move(all), p.root_box(), site);
 }
 
 FormulaId FormulaBuilder::turned_ring(const std::vector<Vec2>& ring, const Site& site) {
