@@ -12,9 +12,9 @@
 namespace whittle {
 namespace {
 
-// Rounds on one grid: what has not settled by then mostly grows from round to round. Then the mesh is put on a grid twice as coarse, three times at most; of the
-// examples one needs that.
-constexpr int kRounds = 4, kGrids = 4;
+// Rounds on one grid: what has not settled by then mostly goes round in circles, of points that shapes of no more than a few steps leave no room for. Then, round
+// by round, these places alone are put on grids coarser by 1 to 4 bits; and at last the mesh on one twice as coarse, three times at most.
+constexpr int kRounds = 4, kCoarserRounds = 8, kMostCoarser = 4, kGrids = 4;
 // With more pairs than this the model is too fine for the precision: arranging what crosses would take minutes and help little. They are told instead.
 constexpr std::uint64_t kMostCrossings = 20000;
 // A mesh of no more triangles is arranged as a whole where its pieces cannot be, and of no more crossings.
@@ -71,8 +71,9 @@ Settled settled_by_pieces(Mesh mesh, int exponent, MeshControl& control) {
     CrossingPairs pairs = crossing_pairs(mesh.points, mesh.triangles, kMostCrossings + 1);
     if (pairs.empty() || pairs.size() > kMostCrossings) return {std::move(mesh), pairs.size(), true};
     Mesh part = taken_out(mesh, pairs, exponent);
-    for (int round = 0; round < kRounds && !pairs.empty() && pairs.size() <= kMostCrossings && !control.cancelled(); ++round) {
-        auto left = settle_piece(part, pairs, exponent, kMostCrossings + 1, control);
+    for (int round = 0; round < kRounds + kCoarserRounds && !pairs.empty() && pairs.size() <= kMostCrossings && !control.cancelled(); ++round) {
+        const int coarser = round < kRounds ? 0 : 1 + (round - kRounds) % kMostCoarser;
+        auto left = settle_piece(part, pairs, exponent, coarser, kMostCrossings + 1, control);
         if (!left) break;
         pairs = std::move(*left);
     }

@@ -1,6 +1,8 @@
 #include "modeler/mesh/settle_piece.h"
 
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "modeler/arrange/arrange.h"
 #include "modeler/arrange/crossings.h"
@@ -27,11 +29,31 @@ GridMesh on_grid(const Mesh& part, int exponent) {
     return grid;
 }
 
-// Rounded to the grid; `was` is what was arranged.
-Mesh off_grid(const ArrangedMesh& made, const Mesh& was, int exponent) {
+using Points = std::set<std::array<double, 3>>;
+
+// Those that chosen triangles have in common with others.
+Points rim_of(const Mesh& mesh, const std::vector<bool>& chosen) {
+    std::vector<bool> outside(mesh.points.size(), false);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (!chosen[i])
+            for (const std::uint32_t v : mesh.triangles[i]) outside[v] = true;
+    Points rim;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i])
+            for (const std::uint32_t v : mesh.triangles[i])
+                if (outside[v]) rim.insert({mesh.points[v].x, mesh.points[v].y, mesh.points[v].z});
+    return rim;
+}
+
+// Rounded to the grid, or to one coarser by so many bits but on the rim; `was` is what was arranged.
+Mesh off_grid(const ArrangedMesh& made, const Mesh& was, int exponent, int coarser, const Points& rim) {
     Mesh out;
-    const auto rounded = [&](double x) { return std::ldexp(std::nearbyint(x), exponent); };
-    for (const Vec3& p : made.points) out.points.emplace_back(rounded(p.x), rounded(p.y), rounded(p.z));
+    const auto rounded = [&](double x, int bits) { return std::ldexp(std::nearbyint(std::ldexp(x, -bits)), exponent + bits); };
+    for (const Vec3& p : made.points) {
+        const std::array<double, 3> fine{rounded(p.x, 0), rounded(p.y, 0), rounded(p.z, 0)};
+        const int bits = coarser == 0 || rim.count(fine) != 0 ? 0 : coarser;
+        out.points.emplace_back(rounded(p.x, bits), rounded(p.y, bits), rounded(p.z, bits));
+    }
     out.triangles = made.triangles;
     if (!was.leaf.empty())
         for (const FacetTag tag : made.tags) out.leaf.push_back(was.leaf[tag]);
@@ -85,7 +107,7 @@ Mesh taken_out(Mesh& mesh, CrossingPairs& pairs, int exponent) {
     return part;
 }
 
-std::optional<CrossingPairs> settle_piece(Mesh& mesh, const CrossingPairs& pairs, int exponent, std::size_t most, MeshControl& control) {
+std::optional<CrossingPairs> settle_piece(Mesh& mesh, const CrossingPairs& pairs, int exponent, int coarser, std::size_t most, MeshControl& control) {
     std::vector<bool> chosen(mesh.triangles.size(), false);
     for (const auto& [i, j] : pairs) chosen[i] = chosen[j] = true;
     const std::vector<bool> crossing = chosen;
@@ -97,9 +119,10 @@ std::optional<CrossingPairs> settle_piece(Mesh& mesh, const CrossingPairs& pairs
     const Mesh part = part_of(mesh, chosen);
     const auto made = arrange_piece(on_grid(part, exponent), sound, [&] { return control.cancelled(); });
     if (!made) return std::nullopt;
-    const BoxTree places = boxes_around(part, exponent);
+    const BoxTree places = boxes_around(part, exponent + coarser);
+    const Points rim = coarser == 0 ? Points() : rim_of(mesh, chosen);
     remove_part(mesh, chosen);
-    append(mesh, off_grid(*made, part, exponent));
+    append(mesh, off_grid(*made, part, exponent, coarser, rim));
     weld(mesh);
     remove_flat_triangles(mesh);
     return pairs_near(mesh, places, most);
