@@ -18,19 +18,23 @@ using Corners = std::array<Index, 3>;
 class Signs {
 public:
     explicit Signs(std::span<const Vec3> points) : points_(points) {
-        int high = -1100;
-        low_ = 1100;
-        for (const Vec3& p : points)
+        low_of_.reserve(points.size());
+        int low = kNoBits;
+        for (const Vec3& p : points) {
+            int lowest = kNoBits;
             for (int i = 0; i < 3; ++i) {
                 if (p[i] == 0) continue;
                 int exponent = 0;
                 const double mantissa = std::frexp(p[i], &exponent);
                 const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
-                high = std::max(high, exponent);
-                low_ = std::min(low_, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(whole)));
+                high_ = std::max(high_, exponent);
+                lowest = std::min(lowest, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(whole)));
             }
+            low = std::min(low, lowest);
+            low_of_.push_back(static_cast<std::int16_t>(lowest));
+        }
         constexpr int kBits = 250;  // what lies lower against the largest coordinate is left out: 2^-250 of the model
-        low_ = std::max(low_, high - kBits);
+        low_ = std::max(low, high_ - kBits);
     }
 
     // Sign of det(b - a, c - a, d - a).
@@ -76,12 +80,24 @@ private:
         for (; shift >= 63; shift -= 63) out = out << 63;
         return shift > 0 ? out << shift : out;
     }
+    // In as few limbs as the four points' own bits take.
     int exact_volume(Index a, Index b, Index c, Index d) const {
-        std::array<std::array<Wide<4>, 3>, 3> m;
+        const int low = std::max<int>(low_, std::min({low_of_[a], low_of_[b], low_of_[c], low_of_[d]})), bits = high_ - low;
+        const double scale = std::ldexp(1.0, -low);
+        // With room for the sign, two differences and the sum of three products.
+        if (bits <= 60) return volume_in<1>(a, b, c, d, [&](double x) { return Wide<1>(static_cast<std::int64_t>(x * scale)); });
+        if (bits <= 122 && low > -1000) return volume_in<2>(a, b, c, d, [&](double x) { return Wide<2>(static_cast<Int128>(x * scale)); });
+        return volume_in<4>(a, b, c, d, [&](double x) { return integer(x); });
+    }
+    template <int n, typename Whole>
+    int volume_in(Index a, Index b, Index c, Index d, Whole whole) const {
+        std::array<std::array<Wide<n>, 3>, 3> m;
         const std::array<Index, 3> others{b, c, d};
-        for (std::size_t r = 0; r < 3; ++r)
-            for (int k = 0; k < 3; ++k) m[r][static_cast<std::size_t>(k)] = integer(points_[others[r]][k]) - integer(points_[a][k]);
-        Wide<12> det;
+        for (int k = 0; k < 3; ++k) {
+            const Wide<n> from = whole(points_[a][k]);
+            for (std::size_t r = 0; r < 3; ++r) m[r][static_cast<std::size_t>(k)] = whole(points_[others[r]][k]) - from;
+        }
+        Wide<3 * n> det;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
             det = det + m[0][k] * (m[1][i] * m[2][j] - m[1][j] * m[2][i]);
@@ -89,8 +105,10 @@ private:
         return det.sign();
     }
 
+    static constexpr int kNoBits = 1100;
     std::span<const Vec3> points_;
-    int low_ = 0;
+    std::vector<std::int16_t> low_of_;  // by point: of its lowest bit the exponent; kNoBits where all are 0
+    int low_ = 0, high_ = -kNoBits;
 };
 
 class Pairs {

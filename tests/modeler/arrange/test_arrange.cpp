@@ -247,3 +247,20 @@ TEST_CASE("an open mesh is refused, a cancelled one is interrupted") {
     REQUIRE_FALSE(attempt(true));
     CHECK(attempt(true).error().fault == Fault::kInterrupted);
 }
+
+TEST_CASE("a triangle crosses another by its last bit, however far the bits of its corners reach") {
+    std::mt19937_64 random(5);
+    std::uniform_int_distribution<int> entry(-(1 << 20), 1 << 20);
+    const auto vector = [&] { return Vec3(entry(random), entry(random), entry(random)); };
+    for (int n = 0; n < 200; ++n)
+        for (const int bits : {0, 20, 60, 150, 190}) {  // 30 and more of the large triangle above them
+            const Vec3 u = vector(), v = vector(), up(0, 0, glm::cross(u, v).z > 0 ? 1 : -1);
+            if (glm::cross(u, v).z == 0) continue;
+            const double h = std::ldexp(1.0, -bits);
+            for (const double side : {1.0, -1.0}) {
+                const std::vector<Vec3> points{-1000.0 * u - 1000.0 * v, 1000.0 * u, 1000.0 * v, h * (u + v + up), h * (2.0 * u + v + side * up), h * (u + 2.0 * v + side * up)};
+                INFO("pair " << n << ", " << bits << " bits");
+                CHECK(count_crossings(points, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}}) == (side < 0 ? 1u : 0u));
+            }
+        }
+}
