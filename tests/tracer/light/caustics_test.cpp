@@ -1,4 +1,5 @@
 // Light from the lamps through what focuses: energy, and that it agrees with paths from the eye.
+#include "ball_lens.h"
 #include "scenes.h"
 
 #include <algorithm>
@@ -53,20 +54,6 @@ RenderScene lamp_and_caustic() {
     scene.lights = {lamp(p), around(Vec3(0))};
     scene.camera = looking(Vec3(-25, -40, 45), Vec3(-6, 0, 0), 14);
     return scene;
-}
-
-double flux_by_snell(double radius, double index, double plane, double spot) {
-    // Of parallel light of irradiance 1 on a ball about the origin: what reaches a disc of radius `spot` in the plane z = -plane, by two refractions.
-    double sum = 0;
-    const int n = 200000;
-    for (int i = 0; i < n; ++i) {
-        const double b = radius * (i + 0.5) / n, in = std::asin(b / radius), within = std::asin(b / (radius * index));
-        const double turned = 2 * (in - within), x = radius * std::sin(2 * within - in), z = radius * std::cos(in - 2 * within);
-        if (std::abs(x - std::tan(turned) * (plane - z)) > spot) continue;
-        const double open = 1 - fresnel_dielectric(std::cos(in), 1 / index);
-        sum += open * open * 2 * kPi * b * radius / n;
-    }
-    return sum;
 }
 
 struct TileMeans {
