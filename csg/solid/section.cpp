@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/degrees.h"
 #include "csg/solid/convex_parts.h"
 #include "csg/solid/facet_operations.h"
 #include "csg/solid/facets.h"
+#include "csg/solid/profile_line.h"
+#include "csg/solid/section_askew.h"
 #include "csg/solid/use_of.h"
 
 namespace whittle {
@@ -13,11 +16,6 @@ namespace {
 
 // What a placement that keeps z does in the plane.
 Placement in_plane(const Placement& a) { return {{a.m[0], a.m[1], 0, a.m[3], a.m[4], a.m[5], 0, a.m[7], 0, 0, 1, 0}}; }
-
-std::optional<Use> polygon(SolidBuilder& builder, Contours contours) {
-    if (contours.empty()) return use_of(kEmptyNode);
-    return use_of(builder.shape(shape::Polygon{std::make_shared<const Contours>(std::move(contours))}));
-}
 
 std::optional<FacetList> facets_at(const SolidBuilder& builder, NodeId node, const Placement& at) {
     auto list = facets_of(builder.so_far(), node);
@@ -70,89 +68,80 @@ struct LevelOf {
         return use_of(builder.combine(SetOp::kDifference, {*outer, *disc(s.major - reach)}));
     }
     std::optional<Use> operator()(const shape::Extrusion& s) {
-        if (s.twist_deg != 0 || s.slices > 0) return std::nullopt;
+        if (s.slices > 0) return std::nullopt;
         if (!within(s.z0, s.z1)) return nothing();
-        if (s.scale_top == Vec2(1)) return use_of(s.profile);
-        const double t = (z - s.z0) / (s.z1 - s.z0);
+        const double t = (z - s.z0) / (s.z1 - s.z0), c = cosd(s.twist_deg * t), d = sind(s.twist_deg * t);  // clockwise
         const Vec2 scale = Vec2(1) + (s.scale_top - Vec2(1)) * t;
-        return use_of(s.profile, {{scale.x, 0, 0, 0, 0, scale.y, 0, 0, 0, 0, 1, 0}});
+        return use_of(s.profile, {{scale.x * c, scale.x * d, 0, 0, -scale.y * d, scale.y * c, 0, 0, 0, 0, 1, 0}});
+    }
+    std::optional<Use> operator()(const shape::Revolution& s) {
+        if (s.fragments > 0) return std::nullopt;
+        const ProfileLine line{{0, z}, {1, 0}, {0, 1}};
+        const auto whole = made_of_intervals(builder, use_of(s.profile), line, [&](const LineIntervals& in) { return rings(builder, in); });
+        if (!whole || whole->node == kEmptyNode || s.angle_deg >= 360) return whole;
+        return use_of(builder.combine(SetOp::kIntersection, {*whole, sector(s.start_deg, s.angle_deg, builder.bounds(s.profile).hi.x)}));
+    }
+    // With all of its arc farther out than r.
+    Use sector(double start_deg, double angle_deg, double r) {
+        constexpr int kSteps = 6;
+        std::vector<Vec2> corners{{0, 0}};
+        for (int i = 0; i <= kSteps; ++i) {
+            const double at = start_deg + angle_deg * i / kSteps;
+            corners.push_back(3 * r * Vec2(cosd(at), sind(at)));
+        }
+        return polygon_of(builder, {corners});
     }
     std::optional<Use> operator()(const auto&) { return std::nullopt; }
 };
 
-// The corners of a convex polygon where `value`, which is linear, is not negative.
-template <class Value>
-std::vector<Vec2> clipped(const std::vector<Vec2>& corners, Value value) {
-    std::vector<Vec2> kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        const double from = value(a), to = value(b);
-        if (from >= 0) kept.push_back(a);
-        if ((from < 0) != (to < 0) && from != 0 && to != 0) kept.push_back(a + (b - a) * (from / (from - to)));
+// Upright along an axis instead of z.
+Placement along_axis(int axis) {
+    Placement p;
+    p.m.fill(0);
+    for (int i = 0; i < 3; ++i) p.m[static_cast<std::size_t>(4 * ((axis + 1 + i) % 3) + i)] = 1;
+    return p;
+}
+
+// What only looks like one shape: a box with round edges is boxes, posts along its edges and balls; a capsule a post and two balls. Empty: it is one.
+std::vector<Use> parts_of_round(SolidBuilder& builder, const Shape& shape) {
+    std::vector<Use> parts;
+    const auto ball = [&](double r, const Vec3& at) { parts.push_back(use_of(builder.shape(shape::Ellipsoid{Vec3(r)}), Placement::translation(at))); };
+    if (const auto* s = std::get_if<shape::Capsule>(&shape)) {
+        const Vec3 way = s->q - s->p, z = glm::normalize(way), x = glm::normalize(glm::cross(std::fabs(z.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), z)), y = glm::cross(z, x);
+        ball(s->r, s->p);
+        ball(s->r, s->q);
+        parts.push_back(use_of(builder.shape(shape::Frustum{0, glm::length(way), s->r, s->r}), {{x.x, y.x, z.x, s->p.x, x.y, y.y, z.y, s->p.y, x.z, y.z, z.z, s->p.z}}));
     }
-    return kept;
-}
-
-// A prism that stands askew: its profile, seen along its axis from the plane, as far as the plane is between its ends. Nothing where it all but lies in the plane.
-std::optional<Use> section_of_askew(SolidBuilder& builder, const Prism& prism, const Placement& at) {
-    // A flatter one is a million times as long as its profile is wide: corners found on it would have lost six of their digits.
-    constexpr double kLeastRise = 1e-6;
-    const double a = at.linear(2, 0), b = at.linear(2, 1), up = at.linear(2, 2), off = at.offset(2);
-    if (!(std::fabs(up) > kLeastRise * std::hypot(a, b))) return std::nullopt;
-    const auto height = [&](const Vec2& p) { return -(a * p.x + b * p.y + off) / up; };
-    const Bounds box = builder.bounds(prism.profile);
-    const Vec3 room = 0.0625 * (box.hi - box.lo), lo = box.lo - room, hi = box.hi + room;
-    const std::vector<Vec2> whole{{lo.x, lo.y}, {hi.x, lo.y}, {hi.x, hi.y}, {lo.x, hi.y}};
-    std::vector<Vec2> between = clipped(whole, [&](const Vec2& p) { return height(p) - prism.z0; });
-    if (between.size() >= 3) between = clipped(between, [&](const Vec2& p) { return prism.z1 - height(p); });
-    if (between.size() < 3) return use_of(kEmptyNode);
-    Use part = prism.profile;
-    if (between != whole) part = use_of(builder.combine(SetOp::kIntersection, {part, *polygon(builder, {between})}));
-    Placement seen;
-    for (int i = 0; i < 2; ++i) {
-        const double along = at.linear(i, 2) / up;
-        seen.m[static_cast<std::size_t>(4 * i)] = at.linear(i, 0) - along * a;
-        seen.m[static_cast<std::size_t>(4 * i + 1)] = at.linear(i, 1) - along * b;
-        seen.m[static_cast<std::size_t>(4 * i + 2)] = 0;
-        seen.m[static_cast<std::size_t>(4 * i + 3)] = at.offset(i) - along * off;
+    if (const auto* s = std::get_if<shape::RoundBox>(&shape)) {
+        const Vec3 lo = s->lo + s->r, hi = s->hi - s->r;  // of the balls' centres
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 out(0);
+            out[axis] = s->r;
+            parts.push_back(use_of(builder.shape(shape::Box{lo - out, hi + out})));
+            for (const int side : {0, 1, 2, 3}) {
+                Vec3 at(0);
+                at[(axis + 1) % 3] = side % 2 == 0 ? lo[(axis + 1) % 3] : hi[(axis + 1) % 3];
+                at[(axis + 2) % 3] = side / 2 == 0 ? lo[(axis + 2) % 3] : hi[(axis + 2) % 3];
+                if (lo[axis] < hi[axis])
+                    parts.push_back(use_of(builder.shape(shape::Frustum{lo[axis], hi[axis], s->r, s->r}), Placement::translation(at) * along_axis(axis)));
+            }
+        }
+        for (int k = 0; k < 8; ++k) ball(s->r, {k % 2 == 0 ? lo.x : hi.x, k / 2 % 2 == 0 ? lo.y : hi.y, k / 4 == 0 ? lo.z : hi.z});
     }
-    return builder.placed(seen, part);
+    return parts;
 }
 
-// A cylinder whose axis is parallel to the plane.
-std::optional<Use> section_of_lying(SolidBuilder& builder, const shape::Frustum& s, const Placement& at) {
-    const double a = at.linear(2, 0), b = at.linear(2, 1), n = std::hypot(a, b), d = at.offset(2) / n;
-    if (!(std::fabs(d) < s.r0)) return use_of(kEmptyNode);
-    const double half = std::sqrt((s.r0 - d) * (s.r0 + d));
-    std::vector<Vec2> corners;
-    for (const auto& [side, z] : {std::pair(-half, s.z0), std::pair(half, s.z0), std::pair(half, s.z1), std::pair(-half, s.z1)}) {
-        const Vec3 p = apply_to_point(at, Vec3((-d * a - side * b) / n, (-d * b + side * a) / n, z));
-        corners.push_back({p.x, p.y});
+std::optional<Use> section_at(SolidBuilder& builder, const Use& use, const Placement& above);
+
+std::optional<Use> section_of_all(SolidBuilder& builder, SetOp op, const std::vector<Use>& operands, const Placement& at) {
+    std::vector<Use> parts;
+    for (const Use& part : operands) {
+        const auto own = section_at(builder, part, at);
+        if (!own) return std::nullopt;
+        parts.push_back(*own);
     }
-    return polygon(builder, {corners});
-}
-
-// An ellipsoid however it is placed: a circle of the unit ball, whose plane's normal is what z is there.
-std::optional<Use> section_of_ball(SolidBuilder& builder, const shape::Ellipsoid& s, const Placement& at) {
-    const auto row = [&](int i) { return Vec3(at.linear(i, 0) * s.radii.x, at.linear(i, 1) * s.radii.y, at.linear(i, 2) * s.radii.z); };
-    const Vec3 rise = row(2);
-    const double d = -at.offset(2) / glm::length(rise);
-    if (!(std::fabs(d) < 1)) return use_of(kEmptyNode);
-    const Vec3 normal = glm::normalize(rise), size = glm::abs(normal);
-    const Vec3 aside = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0) : size.y <= size.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-    const double r = std::sqrt((1 - d) * (1 + d));
-    const Vec3 u = r * glm::normalize(glm::cross(normal, aside)), v = glm::cross(normal, u);
-    const Vec3 x = row(0), y = row(1);
-    const Placement seen{{glm::dot(x, u), glm::dot(x, v), 0, at.offset(0) + d * glm::dot(x, normal), glm::dot(y, u), glm::dot(y, v), 0, at.offset(1) + d * glm::dot(y, normal), 0, 0, 1, 0}};
-    return builder.placed(seen, use_of(builder.shape(shape::Disc{1})));
-}
-
-std::optional<Use> section_of_turned(SolidBuilder& builder, NodeId id, const Shape& s, const Placement& at) {
-    if (const auto* ball = std::get_if<shape::Ellipsoid>(&s)) return section_of_ball(builder, *ball, at);
-    const auto* frustum = std::get_if<shape::Frustum>(&s);
-    if (frustum && frustum->r0 == frustum->r1 && at.linear(2, 2) == 0) return section_of_lying(builder, *frustum, at);
-    const auto prism = prism_of(builder, use_of(id));
-    return prism ? section_of_askew(builder, *prism, at) : std::nullopt;
+    if (parts.size() == 1) return parts[0];
+    return use_of(builder.combine(op, std::move(parts)));
 }
 
 std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Placement& at) {
@@ -160,8 +149,9 @@ std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Plac
     if (is_faceted(s) && !(keeps_z(at) && std::holds_alternative<shape::Box>(s))) {
         const auto list = facets_at(builder, id, at);
         if (!list) return std::nullopt;
-        return polygon(builder, section_of(*list));
+        return polygon_of(builder, section_of(*list));
     }
+    if (const auto parts = parts_of_round(builder, s); !parts.empty()) return section_of_all(builder, SetOp::kUnion, parts, at);
     const auto* ball = std::get_if<shape::Ellipsoid>(&s);
     if (ball && ball->radii.x == ball->radii.y && ball->radii.y == ball->radii.z) {  // however it is turned
         const auto scale = similarity_of(at, false);
@@ -169,7 +159,7 @@ std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Plac
         if (scale && std::fabs(z) >= r) return use_of(kEmptyNode);
         if (scale) return use_of(builder.shape(shape::Disc{std::sqrt((r - z) * (r + z))}), Placement::translation({at.offset(0), at.offset(1), 0}));
     }
-    if (!keeps_z(at)) return section_of_turned(builder, id, s, at);
+    if (!keeps_z(at)) return section_of_askew(builder, id, s, at);
     const double up = at.linear(2, 2);
     if (up < 0) return std::nullopt;  // its lower neighbourhood would count
     auto level = std::visit(LevelOf{builder, -at.offset(2) / up}, s);
@@ -182,14 +172,7 @@ std::optional<Use> section_at(SolidBuilder& builder, const Use& use, const Place
     const Placement at = above * use.placement;
     if (std::holds_alternative<Shape>(builder.node(use.node))) return section_of_shape(builder, use.node, at);
     const Combination c = std::get<Combination>(builder.node(use.node));
-    std::vector<Use> parts;
-    for (const Use& part : c.operands) {
-        const auto own = section_at(builder, part, at);
-        if (!own) return std::nullopt;
-        parts.push_back(*own);
-    }
-    if (parts.size() == 1) return parts[0];
-    return use_of(builder.combine(c.op, std::move(parts)));
+    return section_of_all(builder, c.op, c.operands, at);
 }
 
 std::optional<Use> shadow_at(SolidBuilder& builder, const Use& use, const Placement& above);
@@ -199,7 +182,7 @@ std::optional<Use> shadow_of_shape(SolidBuilder& builder, NodeId id, const Place
     if (is_faceted(s) && !(keeps_z(at) && std::holds_alternative<shape::Box>(s))) {
         const auto list = facets_at(builder, id, at);
         if (!list) return std::nullopt;
-        return polygon(builder, shadow_of(*list));
+        return polygon_of(builder, shadow_of(*list));
     }
     const auto* ball = std::get_if<shape::Ellipsoid>(&s);
     const auto scale = ball && ball->radii.x == ball->radii.y && ball->radii.y == ball->radii.z ? similarity_of(at, false) : std::nullopt;

@@ -8,8 +8,9 @@
 namespace whittle {
 
 // The part of the use in the plane z = 0, as a 2D use; the empty node where there is none. Where a face lies in the plane, what is just above it counts.
-// Nothing where some shape's section has no exact form. Up to the rounding of placements and corners there is one for ellipsoids, cylinders and what is bounded by
-// facets however they are placed, prisms that do not lie in the plane, and rings, cones and tapers that stand upright.
+// Nothing where some shape's section has no exact form. Up to the rounding of placements and corners there is one for ellipsoids, prisms of any profile, boxes with
+// round edges, capsules and what is bounded by facets however they are placed; for cones that are cut in an ellipse; for what is turned about an axis, if that is
+// square to the plane or in it; and for twisted and tapered extrusions that stand upright.
 std::optional<Use> exact_section(SolidBuilder& builder, const Use& use);
 
 // What the use covers seen along z: upright shapes and unions of them.

@@ -59,3 +59,54 @@ TEST_CASE("sections of extrusions and of what is cut out of them keep their curv
     CHECK(area_of_section("rotate([30, 0]) linear_extrude(20, center = true) difference() { circle(3); translate([1, 0]) circle(1); }") == Approx(8 * kPi / slope).epsilon(1e-4));
     CHECK(area_of_section("difference() { cube(10, center = true); rotate([0, 30]) cylinder(h = 30, r = 2, center = true); }") == Approx(100 - 4 * kPi / slope).epsilon(1e-4));
 }
+
+TEST_CASE("a cone's section is an ellipse where the plane cuts all its lines, cut off by its ends") {
+    // Of half angle g, its axis tilted by a and met by the plane at d from the apex: the longer semiaxis from where the plane meets the two outermost lines; the shorter from
+    // the circle at the height of the ellipse's middle.
+    const double g = std::atan(0.25), a = rad(20), d = 8;
+    const double right = d * std::sin(g) / std::cos(a + g), left = d * std::sin(g) / std::cos(a - g);  // along the plane from the axis
+    const double longer = (right + left) / 2, middle = (right - left) / 2;
+    const double height = d + middle * std::sin(a), off = middle * std::cos(a);  // of the ellipse's middle, along the axis from the apex and across it
+    const double shorter = std::sqrt(0.0625 * height * height - off * off);
+    CHECK(area_of_section("rotate([0, 20]) translate([0, 0, -8]) cylinder(h = 20, r1 = 0, r2 = 5);") == Approx(kPi * longer * shorter).epsilon(1e-4));
+    CHECK(area_of_section("translate([5, 7]) rotate([0, 0, 33]) rotate([0, 20]) translate([0, 0, -8]) cylinder(h = 20, r1 = 0, r2 = 5);") == Approx(kPi * longer * shorter).epsilon(1e-4));
+    // Half of it: the other half is past the end.
+    CHECK(area_of_section("intersection() { rotate([0, 20]) translate([0, 0, -8]) cylinder(h = 20, r1 = 0, r2 = 5); translate([-20, 0, -20]) cube(40); }") ==
+          Approx(kPi * longer * shorter / 2).epsilon(1e-4));
+}
+
+TEST_CASE("what is turned about an axis in the plane is cut in its profile, on both sides") {
+    CHECK(area_of_section("rotate([90, 0]) rotate_extrude() translate([5, 0]) circle(2);") == Approx(8 * kPi).epsilon(1e-4));
+    CHECK(area_of_section("rotate([0, 90, 0]) rotate_extrude() translate([3, 1]) square([2, 5]);") == Approx(20).epsilon(1e-6));
+    // Turned to one side only, and from the plane up or down.
+    CHECK(area_of_section("rotate([90, 0]) rotate_extrude(angle = 100) translate([5, 0]) circle(2);") == Approx(4 * kPi).epsilon(1e-4));
+    CHECK(area_of_section("union() { rotate([90, 0]) rotate_extrude(angle = -100) translate([5, 0]) circle(2); translate([9, 9, -1]) cube(2); }") == Approx(4).epsilon(1e-6));
+    CHECK(area_of_section("translate([0, 0, 1]) mirror([0, 0, 1]) translate([0, 0, 1]) rotate([90, 0]) rotate_extrude(angle = -100) translate([5, 0]) circle(2);") ==
+          Approx(4 * kPi).epsilon(1e-4));
+}
+
+TEST_CASE("what is turned about an axis square to the plane is cut in rings") {
+    const double reach = 1.6;  // of the circle at 1.2 of its 2
+    CHECK(area_of_section("translate([0, 0, -1.2]) rotate_extrude(angle = 90) translate([5, 0]) circle(2);") == Approx(kPi / 4 * 4 * 5 * reach).epsilon(1e-4));
+    CHECK(area_of_section("translate([1, 2, -0.5]) rotate_extrude() difference() { square([4, 1]); translate([2, 0]) circle(1); }") ==
+          Approx(kPi * (16 - (std::pow(2 + std::sqrt(0.75), 2) - std::pow(2 - std::sqrt(0.75), 2)))).epsilon(1e-4));
+}
+
+TEST_CASE("extrusions of curved profiles that lie in the plane are cut in strips") {
+    CHECK(area_of_section("rotate([90, 0]) linear_extrude(7) difference() { circle(5); circle(3); }") == Approx(7 * 4).epsilon(1e-6));
+    CHECK(area_of_section("translate([0, 0, 3]) rotate([90, 0, 20]) linear_extrude(7) union() { circle(5); translate([4, -4]) square(2); }") == Approx(7 * 10).epsilon(1e-5));
+    CHECK(area_of_section("translate([0, 0, -1]) rotate([90, 0]) linear_extrude(2) offset(delta = 1) square([3, 4]);") == Approx(2 * 5).epsilon(1e-6));
+}
+
+TEST_CASE("upright twists and tapers are cut in their profile, turned and scaled") {
+    CHECK(area_of_section("translate([0, 0, -3]) linear_extrude(10, twist = 100, scale = 2) translate([1, 0]) square([4, 2]);") == Approx(8 * 1.3 * 1.3).epsilon(1e-4));
+    CHECK(area_of_section("intersection() { translate([0, 0, -5]) linear_extrude(10, twist = 90) translate([2, 0]) circle(1); rotate([0, 0, -45]) translate([0, -5, -5]) cube(10); }") ==
+          Approx(kPi).epsilon(1e-4));
+}
+
+TEST_CASE("boxes with round edges and capsules are cut as what they are made of") {
+    CHECK(area_of_section("translate([0, 0, -2]) minkowski() { cube([4, 3, 2]); sphere(1); }") == Approx(4 * 3 + 2 * (4 + 3) + kPi).epsilon(1e-4));
+    CHECK(area_of_section("translate([0, 0, -2.6]) minkowski() { cube([4, 3, 2]); sphere(1); }") == Approx(4 * 3 + 2 * (4 + 3) * 0.8 + kPi * 0.64).epsilon(1e-4));
+    CHECK(area_of_section("rotate([0, 90]) hull() { sphere(1); translate([0, 0, 5]) sphere(1); }") == Approx(10 + kPi).epsilon(1e-4));
+    CHECK(area_of_section("rotate([10, 80, 20]) hull() { translate([0, 0, -9]) sphere(1); translate([0, 0, 9]) sphere(1); }") == Approx(kPi / (std::cos(rad(10)) * std::cos(rad(80)))).epsilon(1e-4));
+}
