@@ -9,9 +9,9 @@
 
 namespace whittle {
 
-// sRGB 0..1: what is behind the solid, and what names no colour.
+// sRGB 0..1: what is behind the solid, what names no colour, and what a cutter that names none leaves.
 struct ColorScheme {
-    Vec3 background{0}, face{0};
+    Vec3 background{0}, face{0}, cut{0};
     bool operator==(const ColorScheme&) const = default;
 };
 

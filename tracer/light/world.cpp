@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "tracer/engine/cut_faces.h"
 #include "tracer/engine/program.h"
 #include "tracer/image/tone.h"
 
@@ -96,8 +97,15 @@ std::vector<Bounds> World::focusing_bounds() const {
 void World::recolor(const ColorScheme& scheme) {
     for (Part& part : parts_) {
         const std::vector<LeafUse>& uses = leaf_uses(*part.program);
-        for (std::size_t i = 0; i < uses.size(); ++i)
-            if (!uses[i].material->color && !uses[i].material->preset) part.surfaces[i].color = srgb_to_linear(scheme.face);
+        part.cut_faces = part.surfaces;
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            const Material& material = *uses[i].material;
+            if (!material.color && !material.preset) part.surfaces[i].color = srgb_to_linear(scheme.face);
+            // A face that is named by its cutter has the cutter's colour.
+            if (material.preset || uses[i].subtracts) part.cut_faces[i].color = part.surfaces[i].color;
+            else part.cut_faces[i].color = srgb_to_linear(scheme.cut);
+        }
+        part.cut = classes_of_cutters(*part.program);
     }
 }
 
@@ -143,7 +151,7 @@ void World::border_of(const Ray& ray, const Hit& hit, Border& border) const {
     border.t = border.travelled = hit.end.t;
     border.point = hit.point;
     border.normal = glm::dot(hit.end.normal, ray.direction) > 0 ? -hit.end.normal : hit.end.normal;
-    border.surface = &surface;
+    border.surface = &parts_[0].look(hit.end);
     border.before = hit.from_inside ? &surface : nullptr;
     border.after = hit.from_inside ? nullptr : &surface;
     border.certified = hit.end.certified;
@@ -209,7 +217,7 @@ bool World::next_of_meeting(const Ray& ray, Meeting& meeting, double t_max, Scra
         border.t = border.travelled = passed;
         border.point = asked.origin;
         border.normal = glm::dot(face.normal, ray.direction) > 0 ? -face.normal : face.normal;
-        border.surface = &parts_[static_cast<std::size_t>(looks)].surfaces[hits[static_cast<std::size_t>(looks)].end.use];
+        border.surface = &parts_[static_cast<std::size_t>(looks)].look(hits[static_cast<std::size_t>(looks)].end);
         border.before = before >= 0 ? &parts_[static_cast<std::size_t>(before)].matter : nullptr;
         border.after = after >= 0 ? &parts_[static_cast<std::size_t>(after)].matter : nullptr;
         border.certified = face.certified;

@@ -69,7 +69,7 @@ public:
     // close together (first_hits(), engine.h).
     void meet(const Ray* rays, int count, Scratch& scratch, MetTogether& met) const;
     bool first(const Ray& ray, const MetTogether& met, int k, Scratch& scratch, Border& border) const;
-    // Gives the scheme's colours to surfaces that name neither colour nor preset.
+    // Gives the scheme's colours to surfaces that name neither colour nor preset, and to faces left by cutters that name none.
     void recolor(const ColorScheme& scheme);
     // Is anything before t_max? Asks the whole solid.
     bool blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const;
@@ -89,6 +89,10 @@ private:
         Surface matter;                 // inside
         double priority = 0;
         bool clear = false;
+        std::vector<Surface> cut_faces{};  // by leaf use, where cuts are shown: what of its matter a cutter lays bare
+        std::vector<bool> cut{};           // then by class: is it only cutters'?
+
+        const Surface& look(const End& face) const { return !cut.empty() && cut[face.surface] ? cut_faces[face.use] : surfaces[face.use]; }
     };
     // What the parts answered to one ray.
     struct Meeting {

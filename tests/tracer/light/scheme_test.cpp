@@ -54,3 +54,29 @@ TEST_CASE("a scheme leaves what names a colour as it is, and other integrators t
     CHECK(drawn(blue, {}, options).film.pixels == plain.pixels);
     CHECK(!color_scheme_named("sunset!"));
 }
+
+TEST_CASE("what a cutter without a colour lays bare has the scheme's own colour, as in OpenSCAD's preview") {
+    const auto middle = [](const Film& film) { return film.color(film.index(film.width / 2, film.height / 2)); };
+    for (const std::string_view name : color_scheme_names()) {
+        INFO(name);
+        const ColorScheme scheme = *color_scheme_named(name);
+        const Vec3 seen = middle(previewed(plate_with_hole({}), std::string(name).c_str()).film);
+        CHECK(apart(seen, srgb_to_linear(scheme.cut)) <= apart(seen, srgb_to_linear(scheme.face)) + 0.05);
+        CHECK(apart(seen, srgb_to_linear(scheme.cut)) < 0.3);
+    }
+    // Whatever the body's colour; a cutter's own stays; what is cut out of a cutter is a face again; what names its matter keeps it.
+    const Vec3 green = srgb_to_linear(color_scheme_named("Cornfield")->cut), yellow = srgb_to_linear(color_scheme_named("Cornfield")->face);
+    Material blue;
+    blue.color = Vec4(0, 0, 1, 1);
+    CHECK(apart(middle(previewed(plate_with_hole(blue), "Cornfield").film), green) < 0.3);
+    CHECK(apart(middle(previewed(plate_with_hole(matte(0, 0, 1)), "Cornfield").film), green) > 0.9);
+    SceneBuilder b;
+    b.add(b.combined(SetOp::kDifference, {b.box(Vec3(-10), Vec3(10)), b.box(Vec3(-4, -20, -4), Vec3(4, 0, 4), matte(0, 0, 1))}));
+    const Vec3 own = middle(previewed(b.finish(), "Cornfield").film);
+    CHECK(own.z > 4 * own.x);
+    SceneBuilder c;
+    const Use ring = c.combined(SetOp::kDifference, {c.box(Vec3(-4, -20, -4), Vec3(4, 0, 4)), c.box(Vec3(-1, -5, -1), Vec3(1, 5, 1))});
+    c.add(c.combined(SetOp::kDifference, {c.box(Vec3(-10), Vec3(10)), ring}));
+    const Vec3 post = middle(previewed(c.finish(), "Cornfield").film);
+    CHECK(apart(post, yellow) < apart(post, green));
+}
