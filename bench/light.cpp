@@ -119,7 +119,8 @@ std::optional<LightPanel> panel_of(const LightOptions& options, const std::strin
     if (!truth) return std::nullopt;
     LightPanel panel{name, {}};
     for (const std::string& integrator : options.integrators) {
-        const std::optional<Drawn> converged = drawn(*scene, options, *integrator_named(integrator), SamplerKind::kSobol, options.reference_samples, 1);
+        const std::string& reference = options.against.empty() ? integrator : options.against;
+        const std::optional<Drawn> converged = drawn(*scene, options, *integrator_named(reference), SamplerKind::kSobol, options.reference_samples, 1);
         if (!converged) return std::nullopt;
         for (const std::string& sampler : options.samplers) {
             std::optional<LightLine> line = measured(*scene, options, {integrator, sampler, {}, distance(converged->pixels, truth->pixels)}, *converged);

@@ -8,7 +8,7 @@
 //     whittle-bench mesh [--models part.scad] [--peers FOLDER] [--limit 60] [--rounds 5] [--csv FILE]
 //     whittle-bench program [--program PATH] [--examples FOLDER] [--rounds 7]
 //     whittle-bench evaluation [--scripts DIR] [--whittle PROGRAM] [--openscad PROGRAM] [--rounds 5] [--csv FILE]
-//     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--samplers sobol] [--samples 64] [--csv FILE] [--svg FILE]
+//     whittle-bench light [--folder examples] [--scenes lens,mug] [--integrators whitted,path] [--against distributed] [--samplers sobol] [--samples 64] [--csv FILE] [--svg FILE]
 //
 // One thread, its own processor time, alternating rounds. A row shows million rays a second (median and quartiles over the rounds) and the ratio to
 // the first row of its group, which is the engine's.
@@ -107,9 +107,9 @@ int main(int argc, char** argv) {
     CLI::App* pictures = app.add_subcommand("light", "pictures: time against error");
     pictures->add_option("--folder", light.folder, "of the scenes")->check(CLI::ExistingDirectory);
     pictures->add_option("--scenes", light.scenes, "files of that folder, without .scad")->delimiter(',');
-    pictures->add_option("--integrators", light.integrators, "whitted, distributed, path ...")->delimiter(',')->check([](const std::string& name) {
-        return integrator_named(name) ? std::string() : "no integrator is called " + name;
-    });
+    const auto is_integrator = [](const std::string& name) { return integrator_named(name) ? std::string() : "no integrator is called " + name; };
+    pictures->add_option("--integrators", light.integrators, "whitted, distributed, path, cone ...")->delimiter(',')->check(is_integrator);
+    pictures->add_option("--against", light.against, "errors are from this integrator's reference; else from each one's own")->check(is_integrator);
     pictures->add_option("--samplers", light.samplers, "sobol, stratified, independent")->delimiter(',')->check([](const std::string& name) {
         return sampler_named(name) ? std::string() : "no sampler is called " + name;
     });
