@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "csg/solid/placement.h"
 #include "tracer/engine/certificates.h"
 #include "tracer/engine/lower.h"
 #include "tracer/engine/program.h"
@@ -54,12 +55,18 @@ void describe_flat(Program& program) {
     for (std::uint32_t i = 0; i < g.item_count; ++i) look_at(program.refs[g.first_item + i]);
 }
 
+// Does it say how it reflects, or lets through? What says nothing is plastic.
+bool names_look(const LeafUse& use) {
+    const Material& m = *use.material;
+    return m.preset || m.roughness || m.metal || m.transmission;
+}
+
 // Vectors that grew hold up to twice what they need.
 void shrink(Program& program) {
     if (std::none_of(program.balls.begin(), program.balls.end(), [](const ItemBall& b) { return b.r > 0; })) program.balls.clear();
     const auto all = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
-    all(program.frames, program.motions, program.classes, program.half_spaces, program.cell_slabs, program.leaves, program.leaf_boxes, program.class_labels, program.groups, program.refs,
-        program.balls, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
+    all(program.frames, program.motions, program.classes, program.half_spaces, program.cell_slabs, program.leaves, program.leaf_boxes, program.leaf_bounds, program.class_labels, program.groups,
+        program.refs, program.balls, program.wide, program.space, program.facet_trees, program.facet_chunks, program.prisms, program.meshes, program.uses,
         program.matter_order);
 }
 
@@ -72,6 +79,7 @@ public:
 
     std::shared_ptr<const Program> run() {
         program_.uses = std::move(formula_.uses);
+        keeps_bounds_ = std::any_of(program_.uses.begin(), program_.uses.end(), names_look);
         rank_matters(program_);
         program_.motions = formula_.motions;
         for (const PrismData& p : formula_.prisms) add_prism(p);
@@ -114,6 +122,7 @@ private:
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);
         program_.leaf_boxes.push_back(outward(n.box));
+        if (keeps_bounds_) program_.leaf_bounds.push_back(n.box);
         return Ref::leaf(static_cast<std::uint32_t>(program_.leaves.size() - 1));
     }
 
@@ -203,6 +212,7 @@ private:
             own.lo[i] = std::max(own.lo[i], group.lo[i]);
             own.hi[i] = std::min(own.hi[i], group.hi[i]);
         }
+        if (keeps_bounds_) program_.leaf_bounds[ref.index()] = common(program_.leaf_bounds[ref.index()], box);
     }
 
     Ref add_group(const FormulaNode& n) {
@@ -313,6 +323,7 @@ private:
     Program program_;
     std::map<const TriangleList*, std::shared_ptr<const Hierarchy>> hierarchies_;
     std::uint64_t emptied_ = 0;
+    bool keeps_bounds_ = false;  // of leaves
     double longest_moved_ = 0;  // of the sides of facets that the snap moved
 };
 

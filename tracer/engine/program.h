@@ -125,6 +125,7 @@ public:
     std::vector<CellSlabs> cell_slabs;
     std::vector<Leaf> leaves;
     std::vector<FloatBox> leaf_boxes;      // around each leaf that is not negated, around what it takes away where it is; may be infinite
+    std::vector<Bounds> leaf_bounds;       // the same in double: whoever aims by them aims alike wherever the solid stands. Empty where no matter names how it reflects
     std::vector<ClassLabel> class_labels;  // by class
     bool some_depend = false;              // some class's label is kDepends
     bool some_uncertified = false;         // some leaf is not exact

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "csg/solid/placement.h"
 #include "tracer/engine/cut_faces.h"
 #include "tracer/engine/program.h"
 #include "tracer/image/tone.h"
@@ -83,11 +84,11 @@ std::vector<Bounds> World::focusing_bounds() const {
     std::vector<Bounds> all;
     for (const Part& part : parts_) {
         const Program& program = *part.program;
-        for (std::size_t i = 0; i < program.leaves.size(); ++i) {
+        // Of leaves where no matter names how it reflects there are no bounds, and none passes light on.
+        for (std::size_t i = 0; i < program.leaf_bounds.size(); ++i) {
             if (!part.surfaces[program.leaves[i].use].passes_on()) continue;
-            const FloatBox& leaf = program.leaf_boxes[i];
             // A leaf without end shows no more than the solid holds.
-            const Bounds own{glm::max(Vec3(leaf.lo[0], leaf.lo[1], leaf.lo[2]), program.bounds.lo), glm::min(Vec3(leaf.hi[0], leaf.hi[1], leaf.hi[2]), program.bounds.hi)};
+            const Bounds own = common(program.leaf_bounds[i], program.bounds);
             if (!own.empty()) all.push_back(own);
         }
     }

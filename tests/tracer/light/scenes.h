@@ -40,7 +40,11 @@ public:
     }
     SolidBuilder& shapes() { return builder_; }
     void add(Use u) { parts_.push_back(u); }
-    Solid finish() { return builder_.finish(combined(SetOp::kUnion, parts_)); }
+    Solid finish(const Placement& outer = {}) {
+        Use all = combined(SetOp::kUnion, parts_);
+        all.placement = outer;
+        return builder_.finish(all);
+    }
 
 private:
     SolidBuilder builder_;
