@@ -1,4 +1,5 @@
-// stability.cpp — one table an axis: scale, distance, wall thickness, grazing angle, depth of the tree, condition of the placement.
+// stability.cpp — one table an axis: scale, distance, wall thickness, grazing angle, depth of the tree, condition of the placement
+// (stretch, scale of one axis, shear).
 //
 // The solid is a nest (stability_truth.h): a hollow box with walls of 0.1 of its half edge where the axis does not say otherwise, turned by a rational
 // rotation. Truth is binary128. A ray is masked where its rounding to doubles, or the placement's, changes the number of its borders; those are not compared.
@@ -39,26 +40,37 @@ struct Row {
     EngineCounters counters;
 };
 
+using Quad33 = std::array<Quad3, 3>;
+
 // Of the quaternion 1 + 2i + 3j + 4k: no entry is 0, all are rational.
-std::array<Quad3, 3> rotation() {
+Quad33 rotation() {
     const std::array<std::array<int, 3>, 3> n{{{-20, 4, 22}, {20, -10, 20}, {10, 28, 4}}};
-    std::array<Quad3, 3> m;
+    Quad33 m;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) m[i][j] = Quad(n[i][j]) / 30;
     return m;
 }
 
-QuadPlacement placed(double scale, double distance, double stretch) {
-    const auto r = rotation();
-    // r diag(stretch, 1, 1/stretch) r^T: symmetric, of condition stretch squared.
-    const Quad3 k{stretch, 1, 1 / Quad(stretch)};
+Quad33 diagonal(Quad x, Quad y, Quad z) { return {Quad3{x, 0, 0}, Quad3{0, y, 0}, Quad3{0, 0, z}}; }
+
+// x becomes x + k y: the condition is about k squared.
+Quad33 sheared(Quad k) { return {Quad3{1, k, 0}, Quad3{0, 1, 0}, Quad3{0, 0, 1}}; }
+
+// r k r^T: k along axes that are no coordinate axes.
+Quad33 turned(const Quad33& k) {
+    const Quad33 r = rotation();
+    Quad33 m{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t p = 0; p < 3; ++p)
+                for (std::size_t q = 0; q < 3; ++q) m[i][j] += r[i][p] * k[p][q] * r[j][q];
+    return m;
+}
+
+QuadPlacement placed(double scale, double distance, const Quad33& linear = rotation()) {
     QuadPlacement m{};
     for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-            if (stretch == 1) m.linear[i][j] = scale * r[i][j];
-            else
-                for (std::size_t l = 0; l < 3; ++l) m.linear[i][j] += scale * r[i][l] * k[l] * r[j][l];
-        }
+        for (std::size_t j = 0; j < 3; ++j) m.linear[i][j] = scale * linear[i][j];
     m.offset = {Quad(distance) * scale * 6 / 7, Quad(distance) * scale * 3 / 7, Quad(distance) * scale * 2 / 7};
     return m;
 }
@@ -67,18 +79,27 @@ std::vector<NestedShape> hollow(bool ball, double wall) { return {{ball, 1}, {ba
 
 std::vector<Case> cases() {
     std::vector<Case> list;
-    for (int e = -6; e <= 6; e += 2) list.push_back({"scale", std::pow(10.0, e), hollow(false, 0.1), placed(std::pow(10.0, e), 0, 1), std::pow(10.0, e)});
-    for (int e = 0; e <= 12; e += 2) list.push_back({"distance", std::pow(10.0, e), hollow(false, 0.1), placed(1, std::pow(10.0, e), 1)});
-    for (int e = 1; e <= 15; e += 2) list.push_back({"thickness of a box's wall", std::pow(10.0, -e), hollow(false, std::pow(10.0, -e)), placed(1, 0, 1), 1, std::pow(10.0, -e)});
-    for (int e = 1; e <= 15; e += 2) list.push_back({"thickness of a ball's shell", std::pow(10.0, -e), hollow(true, std::pow(10.0, -e)), placed(1, 0, 1), 1, std::pow(10.0, -e)});
-    for (int e = 0; e <= 8; ++e) list.push_back({"grazing angle", std::pow(10.0, -e), {{true, 1}}, placed(1, 0, 1), 1, 1, std::pow(10.0, -e)});
+    for (int e = -6; e <= 6; e += 2) list.push_back({"scale", std::pow(10.0, e), hollow(false, 0.1), placed(std::pow(10.0, e), 0), std::pow(10.0, e)});
+    for (int e = 0; e <= 12; e += 2) list.push_back({"distance", std::pow(10.0, e), hollow(false, 0.1), placed(1, std::pow(10.0, e))});
+    for (int e = 1; e <= 15; e += 2) list.push_back({"thickness of a box's wall", std::pow(10.0, -e), hollow(false, std::pow(10.0, -e)), placed(1, 0), 1, std::pow(10.0, -e)});
+    for (int e = 1; e <= 15; e += 2) list.push_back({"thickness of a ball's shell", std::pow(10.0, -e), hollow(true, std::pow(10.0, -e)), placed(1, 0), 1, std::pow(10.0, -e)});
+    for (int e = 0; e <= 8; ++e) list.push_back({"grazing angle", std::pow(10.0, -e), {{true, 1}}, placed(1, 0), 1, 1, std::pow(10.0, -e)});
     for (int n = 2; n <= 128; n *= 2) {
-        Case c{"depth", static_cast<double>(n), {}, placed(1, 0, 1)};
+        Case c{"depth", static_cast<double>(n), {}, placed(1, 0)};
         for (int i = 0; i < n; ++i) c.nest.push_back({i % 2 == 1, std::pow(0.55, i)});
         c.thinnest = 0.3 * std::pow(0.55, n);
         list.push_back(c);
     }
-    for (int e = 0; e <= 6; ++e) list.push_back({"stretch", std::pow(10.0, e), hollow(false, 0.1), placed(1, 0, std::pow(10.0, e)), std::pow(10.0, e)});
+    // Conditions of the placement: k squared, k or 1/k, about k squared.
+    for (int e = 0; e <= 6; ++e) {
+        const double k = std::pow(10.0, e);
+        list.push_back({"stretch", k, hollow(false, 0.1), placed(1, 0, e == 0 ? rotation() : turned(diagonal(k, 1, 1 / Quad(k)))), k});
+    }
+    for (int e = -6; e <= 6; e += 2) {
+        const double k = std::pow(10.0, e);
+        list.push_back({"scale of one axis", k, hollow(false, 0.1), placed(1, 0, turned(diagonal(k, 1, 1))), std::max(1.0, k)});
+    }
+    for (int e = 0; e <= 6; ++e) list.push_back({"shear", std::pow(10.0, e), hollow(false, 0.1), placed(1, 0, turned(sheared(std::pow(10.0, e)))), std::pow(10.0, e)});
     return list;
 }
 
@@ -268,27 +289,32 @@ bool write_case(const std::string& folder, std::size_t number, const Case& c, co
 int measure_stability(const StabilityOptions& options) {
     std::string rows = "axis,value,program,rays,masked,wrong,error_median,error_worst,bound_median,beyond_bound,double_double_per_1000,exact_per_1000\n";
     std::size_t number = 0;
+    bool held = true;
     for (const Case& c : cases()) {
         Row whittle, unsnapped, embree;
         const auto list = questions(c, options.rays, whittle);
         unsnapped = embree = whittle;
         ask_whittle(c, list, {}, whittle);
         rows += print(c, "whittle", whittle);
+        held = held && whittle.beyond_bound == 0 && (whittle.wrong == 0 || c.thinnest < kSnapMatters);
         if (c.thinnest < kSnapMatters) {
             EngineOptions no_snap;
             no_snap.snap = false;
             ask_whittle(c, list, no_snap, unsnapped);
             rows += print(c, "no-snap", unsnapped);
+            held = held && unsnapped.beyond_bound == 0 && unsnapped.wrong == 0;
         }
         ask_embree(c, list, embree);
         if (embree.borders > 0) rows += print(c, "embree", embree);
         if (!options.cases_dir.empty() && !write_case(options.cases_dir, number, c, list)) return 3;
         ++number;
     }
-    if (options.csv.empty()) return 0;
+    if (!held) fmt::print(stderr, "A border is lost or beyond its bound\n");
+    if (options.csv.empty()) return held ? 0 : 1;
     std::ofstream out(options.csv);
     out << rows;
-    return out ? 0 : 3;
+    if (!out) return 3;
+    return held ? 0 : 1;
 }
 
 }  // namespace whittle::bench

@@ -11,7 +11,7 @@ struct StabilityOptions {
     std::string cases_dir;  // scenes, rays and true first hits are written here, for programs that this one cannot call
 };
 
-// Prints the tables. 0, or 3 where a file cannot be written.
+// Prints the tables. 0, or 1 where Whittle lost a border or one is beyond its bound, or 3 where a file cannot be written.
 int measure_stability(const StabilityOptions& options);
 
 }  // namespace whittle::bench
