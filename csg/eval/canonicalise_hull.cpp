@@ -160,7 +160,12 @@ Made Canonicaliser::projected(SceneNodeId id, const scene::Projection& what) {
         solid.node = builder_.combine(SetOp::kUnion, std::move(operands.uses));
     }
     if (solid.node == kEmptyNode) return {};
-    const auto exact = what.cut ? exact_section(builder_, solid) : exact_shadow(builder_, solid);
+    // A section that stands below a polygon is exact where it is traced.
+    const auto outline = [this](const Use& use) -> std::optional<SectionOutline> {
+        auto made = outside_ ? outside_->section(builder_.so_far(), use) : fail(Fault::kScene, "no meshes here");
+        return made ? std::optional(std::move(*made)) : std::nullopt;
+    };
+    const auto exact = what.cut ? exact_section(builder_, solid, outline) : exact_shadow(builder_, solid);
     if (exact) return owned(node, *exact);
     const auto facets = facets_of_use("projection", solid);
     if (!facets) return left_out(node.place, "projection() cannot be made, left out", facets.error().message);

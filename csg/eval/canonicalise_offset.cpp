@@ -1,12 +1,14 @@
 // canonicalise_offset.cpp — offset of 2D sets: true arcs as discs and strips, OpenSCAD's facets by Clipper where the author asked for them.
 //
 // Growing by r is the union of the set, a strip along each side and a disc at each convex corner; shrinking takes the strips and the discs at the
-// reflex corners away. Both are set operations on shapes the solid has, so nothing is approximated. Growing distributes over unions.
+// reflex corners away. Both are set operations on shapes the solid has, so nothing is approximated. Growing distributes over unions; arcs have parts of rings
+// for strips (csg/solid/grown_arcs.h).
 
 #include <algorithm>
 #include <cmath>
 
 #include "csg/eval/canonicaliser.h"
+#include "csg/solid/grown_arcs.h"
 #include "csg/solid/predicates.h"
 #include "csg/solid/profile.h"
 
@@ -66,11 +68,11 @@ std::optional<Use> Canonicaliser::grown(const Use& flat, double delta) {
     }
     if (has_straight_sides(builder_.so_far(), flat.node)) return grown_outline(flat, delta);
     const auto* c = std::get_if<Combination>(&node);
-    if (!c || c->op != SetOp::kUnion || delta < 0 || !is_translation(flat.placement)) return std::nullopt;
+    if (!c || c->op != SetOp::kUnion || delta < 0 || !is_translation(flat.placement)) return grown_by_arcs(builder_, flat, delta);
     std::vector<Use> parts;
     for (const Use& use : c->operands) {
         const auto part = grown(use, delta);
-        if (!part) return std::nullopt;
+        if (!part) return grown_by_arcs(builder_, flat, delta);
         parts.push_back(*part);
     }
     Use whole = flat;

@@ -85,6 +85,7 @@ struct AddShape {
             h.add(std::uint64_t{contour.size()});
             for (const Vec2& p : contour) h.add(p);
         }
+        if (s.section != kEmptyNode) h.add(std::uint64_t{s.section}), h.add(s.deviation);
     }
     void operator()(const shape::ParabolicSegment& s) const { h.add(s.a), h.add(s.c), h.add(s.b); }
 };

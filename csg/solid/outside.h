@@ -19,6 +19,11 @@ class Imports;  // csg/solid/imported.h
 // Contours of a flat set: outer ones counter-clockwise, holes clockwise, none crossing.
 using FlatContours = std::vector<std::vector<Vec2>>;
 
+struct SectionOutline {
+    FlatContours contours;
+    double deviation = 0;
+};
+
 class Outside {
 public:
     virtual ~Outside() = default;
@@ -35,6 +40,8 @@ public:
 
     // A mesh where no exact form exists: the facets of a 3D use, closed, in the frame above it, within the server's tolerance.
     virtual Result<std::shared_ptr<const FacetList>> mesh(const Solid& /*solid*/, const Use& /*use*/) { return fail(Fault::kScene, "no meshes here"); }
+    // The outline of the part of a 3D use in the plane z = 0, and how far at most it is from the true one, about the server's tolerance.
+    virtual Result<SectionOutline> section(const Solid& /*solid*/, const Use& /*use*/) { return fail(Fault::kScene, "no meshes here"); }
     // The roof of 45 degrees over each side of a floor that is not convex, by its straight skeleton.
     virtual Result<std::shared_ptr<const FacetList>> straight_roof(const FlatContours& /*floor*/) { return fail(Fault::kScene, "no meshes here"); }
 };

@@ -25,7 +25,7 @@ struct IntervalsIn {
         return one(middle - half, middle + half);
     }
     std::optional<LineIntervals> operator()(const shape::Rectangle& s) { return (*this)(std::vector<std::vector<Vec2>>{{s.lo, {s.hi.x, s.lo.y}, s.hi, {s.lo.x, s.hi.y}}}); }
-    std::optional<LineIntervals> operator()(const shape::Polygon& s) { return (*this)(*s.contours); }
+    std::optional<LineIntervals> operator()(const shape::Polygon& s) { return s.section == kEmptyNode ? (*this)(*s.contours) : std::nullopt; }
 
     // By parity. A corner on the line is below it.
     std::optional<LineIntervals> operator()(const std::vector<std::vector<Vec2>>& contours) {

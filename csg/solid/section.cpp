@@ -131,49 +131,69 @@ std::vector<Use> parts_of_round(SolidBuilder& builder, const Shape& shape) {
     return parts;
 }
 
-std::optional<Use> section_at(SolidBuilder& builder, const Use& use, const Placement& above);
+class Sections {
+public:
+    Sections(SolidBuilder& builder, const OutlineOf& outline) : builder_(builder), outline_(outline) {}
 
-std::optional<Use> section_of_all(SolidBuilder& builder, SetOp op, const std::vector<Use>& operands, const Placement& at) {
-    std::vector<Use> parts;
-    for (const Use& part : operands) {
-        const auto own = section_at(builder, part, at);
-        if (!own) return std::nullopt;
-        parts.push_back(*own);
+    // Of the use under a placement.
+    std::optional<Use> of(const Use& use, const Placement& above) {
+        if (use.node == kEmptyNode) return use_of(kEmptyNode);
+        if (use.motion != 0) return std::nullopt;
+        const Placement at = above * use.placement;
+        const Node node = builder_.node(use.node);
+        if (const auto* c = std::get_if<Combination>(&node)) return of_all(c->op, c->operands, at);
+        const Shape& shape = std::get<Shape>(node);
+        if (const auto parts = parts_of_round(builder_, shape); !parts.empty()) return of_all(SetOp::kUnion, parts, at);
+        auto own = of_shape(use.node, shape, at);
+        return own ? own : below_polygon(use_of(use.node, at));
     }
-    if (parts.size() == 1) return parts[0];
-    return use_of(builder.combine(op, std::move(parts)));
-}
 
-std::optional<Use> section_of_shape(SolidBuilder& builder, NodeId id, const Placement& at) {
-    const Shape s = std::get<Shape>(builder.node(id));
-    if (is_faceted(s) && !(keeps_z(at) && std::holds_alternative<shape::Box>(s))) {
-        const auto list = facets_at(builder, id, at);
-        if (!list) return std::nullopt;
-        return polygon_of(builder, section_of(*list));
+private:
+    std::optional<Use> of_all(SetOp op, const std::vector<Use>& operands, const Placement& at) {
+        std::vector<Use> parts;
+        for (const Use& part : operands) {
+            const auto own = of(part, at);
+            if (!own) return std::nullopt;
+            parts.push_back(*own);
+        }
+        if (parts.size() == 1) return parts[0];
+        return use_of(builder_.combine(op, std::move(parts)));
     }
-    if (const auto parts = parts_of_round(builder, s); !parts.empty()) return section_of_all(builder, SetOp::kUnion, parts, at);
-    const auto* ball = std::get_if<shape::Ellipsoid>(&s);
-    if (ball && ball->radii.x == ball->radii.y && ball->radii.y == ball->radii.z) {  // however it is turned
-        const auto scale = similarity_of(at, false);
-        const double r = scale ? ball->radii.x * *scale : 0, z = at.offset(2);
-        if (scale && std::fabs(z) >= r) return use_of(kEmptyNode);
-        if (scale) return use_of(builder.shape(shape::Disc{std::sqrt((r - z) * (r + z))}), Placement::translation({at.offset(0), at.offset(1), 0}));
-    }
-    if (!keeps_z(at)) return section_of_askew(builder, id, s, at);
-    const double up = at.linear(2, 2);
-    if (up < 0) return std::nullopt;  // its lower neighbourhood would count
-    auto level = std::visit(LevelOf{builder, -at.offset(2) / up}, s);
-    if (level && level->node != kEmptyNode) level = builder.placed(in_plane(at), *level);
-    return level;
-}
 
-std::optional<Use> section_at(SolidBuilder& builder, const Use& use, const Placement& above) {
-    if (use.motion != 0 || use.node == kEmptyNode) return use.node == kEmptyNode ? std::optional(use_of(kEmptyNode)) : std::nullopt;
-    const Placement at = above * use.placement;
-    if (std::holds_alternative<Shape>(builder.node(use.node))) return section_of_shape(builder, use.node, at);
-    const Combination c = std::get<Combination>(builder.node(use.node));
-    return section_of_all(builder, c.op, c.operands, at);
-}
+    // Of 2D shapes, where it is.
+    std::optional<Use> of_shape(NodeId id, const Shape& s, const Placement& at) {
+        if (is_faceted(s) && !(keeps_z(at) && std::holds_alternative<shape::Box>(s))) {
+            const auto list = facets_at(builder_, id, at);
+            if (!list) return std::nullopt;
+            return polygon_of(builder_, section_of(*list));
+        }
+        const auto* ball = std::get_if<shape::Ellipsoid>(&s);
+        if (ball && ball->radii.x == ball->radii.y && ball->radii.y == ball->radii.z) {  // however it is turned
+            const auto scale = similarity_of(at, false);
+            const double r = scale ? ball->radii.x * *scale : 0, z = at.offset(2);
+            if (scale && std::fabs(z) >= r) return use_of(kEmptyNode);
+            if (scale) return use_of(builder_.shape(shape::Disc{std::sqrt((r - z) * (r + z))}), Placement::translation({at.offset(0), at.offset(1), 0}));
+        }
+        if (!keeps_z(at)) return section_of_askew(builder_, id, s, at);
+        const double up = at.linear(2, 2);
+        if (up < 0) return std::nullopt;  // its lower neighbourhood would count
+        auto level = std::visit(LevelOf{builder_, -at.offset(2) / up}, s);
+        if (level && level->node != kEmptyNode) level = builder_.placed(in_plane(at), *level);
+        return level;
+    }
+
+    std::optional<Use> below_polygon(const Use& solid) {
+        if (!outline_) return std::nullopt;
+        auto outline = outline_(solid);
+        if (!outline) return std::nullopt;
+        if (outline->contours.empty()) return use_of(kEmptyNode);
+        const NodeId node = builder_.combine(SetOp::kUnion, {solid});
+        return use_of(builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(outline->contours)), node, outline->deviation}));
+    }
+
+    SolidBuilder& builder_;
+    const OutlineOf& outline_;
+};
 
 std::optional<Use> shadow_at(SolidBuilder& builder, const Use& use, const Placement& above);
 
@@ -217,7 +237,7 @@ std::optional<Use> shadow_at(SolidBuilder& builder, const Use& use, const Placem
 
 }  // namespace
 
-std::optional<Use> exact_section(SolidBuilder& builder, const Use& use) { return section_at(builder, use, {}); }
+std::optional<Use> exact_section(SolidBuilder& builder, const Use& use, const OutlineOf& outline) { return Sections(builder, outline).of(use, {}); }
 
 std::optional<Use> exact_shadow(SolidBuilder& builder, const Use& use) { return shadow_at(builder, use, {}); }
 

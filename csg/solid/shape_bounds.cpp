@@ -129,7 +129,7 @@ Bounds revolution_bounds(const shape::Revolution& s, const Bounds& profile) {
 }
 
 struct BoundsOf {
-    const Bounds& profile;
+    const Bounds& part;
 
     Bounds operator()(const shape::Box& s) const { return {s.lo, s.hi}; }
     Bounds operator()(const shape::Ellipsoid& s) const { return {-s.radii, s.radii}; }
@@ -149,11 +149,12 @@ struct BoundsOf {
         for (const Vec3& p : s.mesh->points) include(b, p);
         return b;
     }
-    Bounds operator()(const shape::Extrusion& s) const { return extrusion_bounds(s, profile); }
-    Bounds operator()(const shape::Revolution& s) const { return revolution_bounds(s, profile); }
+    Bounds operator()(const shape::Extrusion& s) const { return extrusion_bounds(s, part); }
+    Bounds operator()(const shape::Revolution& s) const { return revolution_bounds(s, part); }
     Bounds operator()(const shape::Disc& s) const { return round_bar(s.r, 0, 0); }
     Bounds operator()(const shape::Rectangle& s) const { return {{s.lo.x, s.lo.y, 0}, {s.hi.x, s.hi.y, 0}}; }
     Bounds operator()(const shape::Polygon& s) const {
+        if (s.section != kEmptyNode) return part.empty() ? part : Bounds{{part.lo.x, part.lo.y, 0}, {part.hi.x, part.hi.y, 0}};
         Bounds b;
         for (const auto& contour : *s.contours)
             for (const Vec2& p : contour) include(b, {p.x, p.y, 0});
@@ -170,6 +171,6 @@ struct BoundsOf {
 
 }  // namespace
 
-Bounds shape_bounds(const Shape& shape, const Bounds& profile) { return std::visit(BoundsOf{profile}, shape); }
+Bounds shape_bounds(const Shape& shape, const Bounds& part) { return std::visit(BoundsOf{part}, shape); }
 
 }  // namespace whittle

@@ -5,8 +5,8 @@
 
 namespace whittle {
 
-// Closed, outward rounded, infinite where the shape is. `profile` is the box of the 2D node below an extrusion or a revolution.
+// Closed, outward rounded, infinite where the shape is. `part` is the box of the node that the shape is made of: a profile, or the solid that a polygon is the section of.
 // Empty where the shape certainly holds nothing (a quadric without real points, a profile without any).
-Bounds shape_bounds(const Shape& shape, const Bounds& profile);
+Bounds shape_bounds(const Shape& shape, const Bounds& part);
 
 }  // namespace whittle

@@ -16,9 +16,11 @@ bool is_flat_shape(const Shape& s) {
            std::holds_alternative<shape::ParabolicSegment>(s);
 }
 
-NodeId* profile_of(Shape& s) {
+// The node that the shape is made of, if it is made of one.
+NodeId* made_of(Shape& s) {
     if (auto* e = std::get_if<shape::Extrusion>(&s)) return &e->profile;
     if (auto* r = std::get_if<shape::Revolution>(&s)) return &r->profile;
+    if (auto* p = std::get_if<shape::Polygon>(&s); p && p->section != kEmptyNode) return &p->section;
     return nullptr;
 }
 
@@ -30,8 +32,8 @@ std::vector<bool> reached_from(NodeId root, std::vector<Node>& nodes) {
         if (!reached[id]) continue;
         if (const auto* c = std::get_if<Combination>(&nodes[id])) {
             for (const Use& use : c->operands) reached[use.node] = true;
-        } else if (const NodeId* profile = profile_of(std::get<Shape>(nodes[id]))) {
-            reached[*profile] = true;
+        } else if (const NodeId* part = made_of(std::get<Shape>(nodes[id]))) {
+            reached[*part] = true;
         }
     }
     return reached;
@@ -40,8 +42,8 @@ std::vector<bool> reached_from(NodeId root, std::vector<Node>& nodes) {
 void renumber(Node& node, const std::vector<NodeId>& new_id) {
     if (auto* c = std::get_if<Combination>(&node)) {
         for (Use& use : c->operands) use.node = new_id[use.node];
-    } else if (NodeId* profile = profile_of(std::get<Shape>(node))) {
-        *profile = new_id[*profile];
+    } else if (NodeId* part = made_of(std::get<Shape>(node))) {
+        *part = new_id[*part];
     }
 }
 
@@ -83,10 +85,10 @@ SolidBuilder::SolidBuilder(SolidPasses passes) : passes_(passes) {
 
 NodeId SolidBuilder::shape(Shape s) {
     s = without_negative_zero(std::move(s));
-    const NodeId* profile = profile_of(s);
-    const Bounds box = shape_bounds(s, profile ? solid_.bounds_[*profile] : Bounds{});
+    const NodeId* part = made_of(s);
+    const Bounds box = shape_bounds(s, part ? solid_.bounds_[*part] : Bounds{});
     if (box.empty()) return kEmptyNode;
-    const bool flat = is_flat_shape(s), plain = !profile || plain_[*profile];
+    const bool flat = is_flat_shape(s), plain = !part || plain_[*part];
     const std::uint64_t hash = hash_of(s);
     return intern(std::move(s), hash, box, flat, plain);
 }

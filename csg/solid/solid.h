@@ -2,7 +2,8 @@
 //
 // Equal sets are one node with one id: building a node twice gives the id of the first. What is not geometry (colour, matter, place in the
 // text, author's order) sits on *uses* of nodes. Every number in it is finite; sizes are positive; nothing in it needs to be checked again.
-// A 2D node lies in the plane z = 0 of its frame; it appears only below Extrusion and Revolution, or as the root of a 2D scene.
+// A 2D node lies in the plane z = 0 of its frame; it appears only below Extrusion and Revolution, or as the root of a 2D scene. A 3D node stands below a 2D one
+// only as the solid whose section a polygon is.
 //
 // Source: Roth, Ray Casting for Modeling Solids (1982); Goto, hash-consing (1974).
 #pragma once
@@ -81,7 +82,11 @@ struct Disc { double r; bool operator==(const Disc&) const = default; };
 struct Rectangle { Vec2 lo, hi; bool operator==(const Rectangle&) const = default; };
 struct Polygon {  // even-odd over all contours
     std::shared_ptr<const std::vector<std::vector<Vec2>>> contours;
-    bool operator==(const Polygon& o) const { return *contours == *o.contours; }
+    // Unless empty, what the set is in truth: the part of this 3D node in the plane z = 0, where what is just above counts. The contours are within `deviation` of
+    // its outline.
+    NodeId section = kEmptyNode;
+    double deviation = 0;
+    bool operator==(const Polygon& o) const { return section == o.section && deviation == o.deviation && *contours == *o.contours; }
 };
 
 // Between the chord from a to b and the quadratic Bezier curve with control point c, an arc of a parabola. The three are not on one line.
@@ -94,7 +99,10 @@ using Shape = std::variant<shape::Box, shape::Ellipsoid, shape::Frustum, shape::
                            shape::Disc, shape::Rectangle, shape::Polygon, shape::ParabolicSegment>;
 
 // 2D shapes with a side that is not straight.
-inline bool is_curved_2d(const Shape& s) { return std::holds_alternative<shape::Disc>(s) || std::holds_alternative<shape::ParabolicSegment>(s); }
+inline bool is_curved_2d(const Shape& s) {
+    const auto* polygon = std::get_if<shape::Polygon>(&s);
+    return polygon ? polygon->section != kEmptyNode : std::holds_alternative<shape::Disc>(s) || std::holds_alternative<shape::ParabolicSegment>(s);
+}
 
 // What a use adds to the node it uses. Materials nest: the outermost wins, parameter by parameter (nested() in matter.h). The place is that of the
 // primitive and stands on the use of its shape; a label further out has none (line 0), and its part, if any, wins over those within.

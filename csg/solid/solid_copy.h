@@ -38,28 +38,30 @@ public:
             std::vector<Use> operands;
             for (const Use& each : c->operands) operands.push_back(use(each, whole(each.node)));
             copy = operands.empty() ? kEmptyNode : builder.combine(c->op, std::move(operands));
-        } else if (const NodeId profile = profile_of(id)) {
-            copy = swept(id, whole(profile));
+        } else if (const NodeId part = part_of(id)) {
+            copy = made_of(id, whole(part));
         } else {
             copy = builder.shape(std::get<Shape>(from_.node(id)));
         }
         return copied_[id] = copy;
     }
 
-    // The 2D node that a shape sweeps; kEmptyNode where it sweeps none.
-    NodeId profile_of(NodeId shape) const {
+    // The node that a shape is made of: what it sweeps, or is the section of; kEmptyNode where there is none.
+    NodeId part_of(NodeId shape) const {
         const Shape& s = std::get<Shape>(from_.node(shape));
         if (const auto* e = std::get_if<shape::Extrusion>(&s)) return e->profile;
         if (const auto* r = std::get_if<shape::Revolution>(&s)) return r->profile;
+        if (const auto* p = std::get_if<shape::Polygon>(&s)) return p->section;
         return kEmptyNode;
     }
 
-    // The shape, sweeping a profile of the copy.
-    NodeId swept(NodeId shape, NodeId profile) {
-        if (profile == kEmptyNode) return kEmptyNode;
+    // The shape, made of a node of the copy.
+    NodeId made_of(NodeId shape, NodeId part) {
+        if (part == kEmptyNode) return kEmptyNode;
         Shape s = std::get<Shape>(from_.node(shape));
-        if (auto* e = std::get_if<shape::Extrusion>(&s)) e->profile = profile;
-        if (auto* r = std::get_if<shape::Revolution>(&s)) r->profile = profile;
+        if (auto* e = std::get_if<shape::Extrusion>(&s)) e->profile = part;
+        if (auto* r = std::get_if<shape::Revolution>(&s)) r->profile = part;
+        if (auto* p = std::get_if<shape::Polygon>(&s)) p->section = part;
         return builder.shape(std::move(s));
     }
 

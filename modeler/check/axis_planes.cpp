@@ -75,7 +75,7 @@ private:
     }
     Planes planes_of(const shape::Box& box) { return box_planes(box.lo, box.hi); }
     Planes planes_of(const shape::Rectangle& r) { return AxisPlanes{{{r.lo.x, r.hi.x}, {r.lo.y, r.hi.y}, {}}}; }
-    Planes planes_of(const shape::Polygon& polygon) { return contour_planes(*polygon.contours); }
+    Planes planes_of(const shape::Polygon& polygon) { return polygon.section == kEmptyNode ? contour_planes(*polygon.contours) : Planes{}; }
     Planes planes_of(const shape::Polyhedron& polyhedron) { return facet_planes(*polyhedron.mesh); }
     Planes planes_of(const shape::HalfSpace& half) {
         AxisPlanes planes;

@@ -130,7 +130,7 @@ LeafDistance of_2d(const shape::Polygon& s, Vec2 p) {
     double best = kInfiniteDistance;
     for (const std::vector<Vec2>& contour : *s.contours)
         for (std::size_t i = 0; i < contour.size(); ++i) best = std::min(best, distance_to_segment(p, contour[i], contour[(i + 1) % contour.size()]));
-    return {kInfiniteDistance, best};
+    return s.section == kEmptyNode ? LeafDistance{kInfiniteDistance, best} : LeafDistance{best, kInfiniteDistance};
 }
 LeafDistance of_2d(const shape::ParabolicSegment& s, Vec2 p) { return {parabola_distance(s, p), distance_to_segment(p, s.a, s.b)}; }
 template <class Other>

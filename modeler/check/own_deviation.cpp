@@ -50,7 +50,7 @@ private:
             return most;
         }
         const auto& shape = std::get<Shape>(solid_.node(id));
-        if (!is_curved_2d(shape)) return 0;
+        if (!is_curved_2d(shape) || std::holds_alternative<shape::Polygon>(shape)) return 0;  // of a section the mesh takes the same chords
         if (discs == Discs::kStayTrue && std::holds_alternative<shape::Disc>(shape) && keeps_discs(outer)) return 0;
         const auto* disc = std::get_if<shape::Disc>(&shape);
         const Bounds& box = solid_.bounds(id);

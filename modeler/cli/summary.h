@@ -11,7 +11,7 @@
 
 #include "csg/base/result.h"
 #include "csg/solid/solid.h"
-#include "modeler/export/flat_outline.h"
+#include "csg/solid/flat_outline.h"
 #include "modeler/mesh/mesh.h"
 #include "tracer/light/camera.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "modeler/export/flat_outline.h"
+#include "csg/solid/flat_outline.h"
 
 namespace whittle {
 

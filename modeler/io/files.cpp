@@ -35,6 +35,8 @@ Result<FontMetrics> Files::font_metrics(const std::string& font, double size) {
 
 Result<std::shared_ptr<const FacetList>> Files::mesh(const Solid& solid, const Use& use) { return facets_by_mesh(solid, use, mesh_); }
 
+Result<SectionOutline> Files::section(const Solid& solid, const Use& use) { return section_by_mesh(solid, use, mesh_); }
+
 Result<std::shared_ptr<const FacetList>> Files::straight_roof(const FlatContours& floor) { return roof_by_skeleton(floor); }
 
 std::vector<std::string> library_paths() {

@@ -21,6 +21,7 @@ public:
     Result<TextOutline> text(const TextRequest& request, GlyphGrid grid) override;
     Result<FontMetrics> font_metrics(const std::string& font, double size) override;
     Result<std::shared_ptr<const FacetList>> mesh(const Solid& solid, const Use& use) override;
+    Result<SectionOutline> section(const Solid& solid, const Use& use) override;
     Result<std::shared_ptr<const FacetList>> straight_roof(const FlatContours& floor) override;
 
 private:

@@ -106,6 +106,7 @@ private:
             contours.push_back({box->lo, {box->hi.x, box->lo.y}, box->hi, {box->lo.x, box->hi.y}});
         } else if (const auto* polygon = std::get_if<shape::Polygon>(&shape)) {
             contours = *polygon->contours;
+            error_ = std::max(error_, polygon->deviation * largest_stretch(placement) * rule_.scale);
         } else if (const auto* segment = std::get_if<shape::ParabolicSegment>(&shape)) {
             CurveRule rule = rule_;
             rule.scale *= largest_stretch(placement);

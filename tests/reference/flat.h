@@ -8,10 +8,13 @@
 
 namespace whittle::reference {
 
+// Is the point, given in the frame of the 3D node, inside?
+ExpressionId solid_formula(Formulas& f, const Solid& solid, NodeId id, const FormPoint& p);
+
 template <class Number>
 class FlatFormula {
 public:
-    FlatFormula(Formulas& formulas, const FlatPoint<Number>& p) : f_(formulas), p_(p) {}
+    FlatFormula(Formulas& formulas, const Solid& solid, const FlatPoint<Number>& p) : f_(formulas), solid_(solid), p_(p) {}
 
     ExpressionId operator()(const shape::Disc& s) { return f_.negative(p_.x * p_.x + p_.y * p_.y - (Dyadic(s.r) * Dyadic(s.r)) * (p_.w * p_.w)); }
 
@@ -22,6 +25,8 @@ public:
 
     // Parity of the edges that the half-line towards +x crosses.
     ExpressionId operator()(const shape::Polygon& s) {
+        if constexpr (std::is_same_v<Number, Form>)
+            if (s.section != kEmptyNode) return solid_formula(f_, solid_, s.section, {p_.x, p_.y, Form(), p_.w});
         std::vector<ExpressionId> crossed;
         for (const auto& contour : *s.contours)
             for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -54,6 +59,7 @@ public:
 
 private:
     Formulas& f_;
+    const Solid& solid_;
     const FlatPoint<Number>& p_;
 };
 
@@ -69,7 +75,7 @@ inline ExpressionId combined(Formulas& f, SetOp op, const std::vector<Expression
 template <class Number>
 ExpressionId flat_formula(Formulas& f, const Solid& solid, NodeId id, const FlatPoint<Number>& p) {
     const Node& node = solid.node(id);
-    if (const auto* shape = std::get_if<Shape>(&node)) return std::visit(FlatFormula<Number>(f, p), *shape);
+    if (const auto* shape = std::get_if<Shape>(&node)) return std::visit(FlatFormula<Number>(f, solid, p), *shape);
     const auto& combination = std::get<Combination>(node);
     std::vector<ExpressionId> operands;
     for (const Use& use : combination.operands) operands.push_back(flat_formula(f, solid, use.node, pulled_back(p, exact(use.placement))));

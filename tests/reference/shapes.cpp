@@ -202,4 +202,13 @@ ExpressionId shape_formula(Formulas& formulas, const Solid& solid, const Shape& 
     return std::visit(ShapeFormula(formulas, solid, p), shape);
 }
 
+ExpressionId solid_formula(Formulas& f, const Solid& solid, NodeId id, const FormPoint& p) {
+    const Node& node = solid.node(id);
+    if (const auto* shape = std::get_if<Shape>(&node)) return shape_formula(f, solid, *shape, p);
+    const auto& combination = std::get<Combination>(node);
+    std::vector<ExpressionId> operands;
+    for (const Use& use : combination.operands) operands.push_back(solid_formula(f, solid, use.node, pulled_back(p, exact(use.placement))));
+    return combined(f, combination.op, operands);
+}
+
 }  // namespace whittle::reference

@@ -112,12 +112,13 @@ private:
 class Reader {
 public:
     Reader(const Formula& formula, const Classes& classes) : formula_(formula), classes_(classes) {
-        for (const Frame& f : formula.table.frames) frames_.push_back(reference::pulled_back(reference::root_frame_point(), reference::exact(f.placement)));
+        for (const Frame& f : formula.table.frames) frames_.push_back(point_of(f));
         std::vector<Form> of_class;
         for (const Support& s : classes.supports) {
             bool flipped = false;
             of_class.push_back(SupportForm(s, formula.table.frames[s.frame].twist.get(), frames_[s.frame])());
-            out_.support_of_class.push_back(s.kind == SupportKind::kConvex ? kNoSupport : out_.tree.formulas.support(of_class.back(), flipped));
+            // A plane along the section that it stands in decides nothing, and is on no face.
+            out_.support_of_class.push_back(of_class.back().is_constant() ? kNoSupport : out_.tree.formulas.support(of_class.back(), flipped));
         }
         for (const ClassOfSupport& c : classes.of) forms_.push_back(c.flipped ? -of_class[c.id] : of_class[c.id]);
     }
@@ -128,6 +129,16 @@ public:
     }
 
 private:
+    // A point of the root frame, in the frame.
+    static FormPoint point_of(const Frame& frame) {
+        FormPoint above = reference::root_frame_point();
+        if (frame.section) {
+            above = point_of(frame.section->frame);
+            above.z = Form();
+        }
+        return reference::pulled_back(above, reference::exact(frame.placement));
+    }
+
     std::size_t grow(FormulaId id) {
         const FormulaNode& n = formula_.nodes[id];
         reference::Branch b;

@@ -39,15 +39,18 @@ std::string report(Theme theme, std::uint64_t seed, bool snap, const Solid& soli
 }
 
 // Pairs of a ray and a solid that holds a shape of the kind, by kind.
-using KindCounts = std::array<std::uint64_t, std::variant_size_v<Shape>>;
+using KindCounts = std::array<std::uint64_t, std::variant_size_v<Shape> + 1>;
 constexpr auto kKindNames = std::to_array<const char*>({"box", "ellipsoid", "frustum", "torus", "half-space", "quadric", "capsule", "round box", "convex body",
-                                                       "faceted ball", "faceted frustum", "polyhedron", "extrusion", "revolution", "disc", "rectangle", "polygon", "parabola"});
-static_assert(kKindNames.size() == std::variant_size_v<Shape>);
+                                                       "faceted ball", "faceted frustum", "polyhedron", "extrusion", "revolution", "disc", "rectangle", "polygon", "parabola", "section"});
+static_assert(kKindNames.size() == std::tuple_size_v<KindCounts>);
 
 void count_kinds(const Solid& solid, std::uint64_t pairs, KindCounts& counts) {
-    std::array<bool, std::variant_size_v<Shape>> seen{};
+    std::array<bool, std::tuple_size_v<KindCounts>> seen{};
     for (NodeId id = 0; id < solid.node_count(); ++id)
-        if (const auto* shape = std::get_if<Shape>(&solid.node(id))) seen[shape->index()] = true;
+        if (const auto* shape = std::get_if<Shape>(&solid.node(id))) {
+            const auto* polygon = std::get_if<shape::Polygon>(shape);
+            seen[polygon && polygon->section != kEmptyNode ? kKindNames.size() - 1 : shape->index()] = true;
+        }
     for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += seen[k] ? pairs : 0;
 }
 

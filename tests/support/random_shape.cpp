@@ -172,6 +172,43 @@ Sketch revolution(SolidBuilder& builder, Dice& dice) {
     return {shape::Revolution{profile, start, angle, 0}, points};
 }
 
+// Where the section's plane is z = 0: turned by a grid's or any angles, perhaps sheared, mirrored or scaled, and moved along z so that the plane is likely to meet it.
+Placement askew(Dice& dice) {
+    const auto turn = [](int axis, double deg) {
+        const std::size_t i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3);
+        Placement p;
+        p.m[4 * i + i] = p.m[4 * j + j] = cosd(deg);
+        p.m[4 * i + j] = -sind(deg);
+        p.m[4 * j + i] = sind(deg);
+        return p;
+    };
+    Placement p = turn(0, dice.pick<double>({90, 90, 30, 45, 60, 120})) * turn(2, dice.pick<double>({0, 0, 90, 20, 45}));
+    if (dice.one_in(3)) p = turn(1, dice.pick<double>({90, 15, 45})) * p;
+    if (dice.one_in(4)) p = p * Placement{{1, 0.5, 0, 0, 0, -1, 0, 0, 0, 0, 2, 0}};
+    p.m[11] = dice.one_in(3) ? 0 : 0.5 * dice.offset();
+    if (dice.one_in(2)) p.m[3] = dice.offset();
+    return p;
+}
+
+// What a projection sweeps along z again; its polygon is read by nothing but what turns or shrinks it.
+Sketch section(SolidBuilder& builder, Dice& dice) {
+    Use inner;
+    switch (dice.integer(0, 5)) {
+        case 0: inner.node = builder.shape(frustum(dice).shape); break;
+        case 1: inner.node = builder.shape(revolution(builder, dice).shape); break;
+        case 2: inner.node = builder.shape(capsule(dice).shape); break;
+        case 3: inner.node = builder.shape(round_box(dice).shape); break;
+        case 4: inner.node = builder.shape(ellipsoid(dice).shape); break;
+        default: inner.node = builder.shape(torus(dice).shape);
+    }
+    inner.placement = askew(dice);
+    const Bounds b = builder.bounds(inner);
+    auto contours = std::make_shared<const std::vector<std::vector<Vec2>>>(std::vector<std::vector<Vec2>>{{{b.lo.x, b.lo.y}, {b.hi.x, b.lo.y}, {b.hi.x, b.hi.y}}});
+    const NodeId profile = builder.shape(shape::Polygon{std::move(contours), builder.combine(SetOp::kUnion, {inner})});
+    const double h = dice.length();
+    return {shape::Extrusion{profile, 0, h, 0, Vec2(1), 0}, box_points({b.lo.x, b.lo.y, 0}, {b.hi.x, b.hi.y, h})};
+}
+
 }  // namespace
 
 void Dice::pool(bool coarse) {
@@ -207,7 +244,7 @@ NodeId random_profile(SolidBuilder& builder, Dice& dice, bool planes, bool right
 }
 
 const char* name_of(ShapeKind kind) {
-    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "faceted", "twist", "convex body"};
+    constexpr std::array<const char*, kShapeKinds> names{"box", "polyhedron", "ellipsoid", "frustum", "torus", "capsule", "round box", "quadric", "half-space", "extrusion", "revolution", "faceted", "twist", "convex body", "section"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -226,6 +263,7 @@ Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice) {
         case ShapeKind::kFaceted: return faceted(dice);
         case ShapeKind::kTwist: return twist(builder, dice);
         case ShapeKind::kConvex: return random_convex(dice);
+        case ShapeKind::kSection: return section(builder, dice);
         default: return revolution(builder, dice);
     }
 }
@@ -236,7 +274,8 @@ Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire) {
         if (kind == 10) return faceted(dice);
         return kind < 5 ? box(dice) : kind < 7 ? polyhedron(dice) : kind < 9 ? extrusion(builder, dice, true) : half_space(dice);
     }
-    const int kind = dice.integer(repertoire == Repertoire::kRound ? 4 : 0, 20);
+    const int kind = dice.integer(repertoire == Repertoire::kRound ? 4 : 0, 21);
+    if (kind == 21) return section(builder, dice);
     if (kind < 3) return box(dice);
     if (kind < 4) return polyhedron(dice);
     if (kind < 7) return ellipsoid(dice);

@@ -43,8 +43,8 @@ struct Sketch {
 Sketch random_shape(SolidBuilder& builder, Dice& dice, Repertoire repertoire);
 
 // kHalfSpace and kQuadric may be unbounded; kTwist is a prism's, in slices, and it and kConvex are not among those of random_shape().
-enum class ShapeKind : std::uint8_t { kBox, kPolyhedron, kEllipsoid, kFrustum, kTorus, kCapsule, kRoundBox, kQuadric, kHalfSpace, kExtrusion, kRevolution, kFaceted, kTwist, kConvex };
-inline constexpr int kShapeKinds = 14;
+enum class ShapeKind : std::uint8_t { kBox, kPolyhedron, kEllipsoid, kFrustum, kTorus, kCapsule, kRoundBox, kQuadric, kHalfSpace, kExtrusion, kRevolution, kFaceted, kTwist, kConvex, kSection };
+inline constexpr int kShapeKinds = 15;
 const char* name_of(ShapeKind kind);
 Sketch random_shape_of(ShapeKind kind, SolidBuilder& builder, Dice& dice);
 

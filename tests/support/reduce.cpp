@@ -15,17 +15,18 @@ namespace {
 // Each attempt compiles and asks anew: enough for a few hundred leaves, and an end for those that only fail now and then.
 constexpr int kMostAttempts = 2000;
 
-// A solid as a tree of its own: a placed shape, over its profile if it has one, or a placed set operation.
+// A solid as a tree of its own: a placed shape, over what it is made of if it is made of a node, or a placed set operation.
 struct Piece {
     Placement placement;
     std::optional<Shape> shape;
     SetOp op = SetOp::kUnion;
-    std::vector<Piece> parts;  // the operands; of a shape its profile, if any
+    std::vector<Piece> parts;  // the operands; of a shape what it is made of, if anything
 };
 
-NodeId* profile_of(Shape& s) {
+NodeId* made_of(Shape& s) {
     if (auto* e = std::get_if<shape::Extrusion>(&s)) return &e->profile;
     if (auto* r = std::get_if<shape::Revolution>(&s)) return &r->profile;
+    if (auto* p = std::get_if<shape::Polygon>(&s); p && p->section != kEmptyNode) return &p->section;
     return nullptr;
 }
 
@@ -34,7 +35,7 @@ Piece piece_of(const Solid& solid, NodeId id, const Placement& placement) {
     p.placement = placement;
     if (const auto* shape = std::get_if<Shape>(&solid.node(id))) {
         p.shape = *shape;
-        if (const NodeId* profile = profile_of(*p.shape)) p.parts.push_back(piece_of(solid, *profile, {}));
+        if (const NodeId* part = made_of(*p.shape)) p.parts.push_back(piece_of(solid, *part, {}));
         return p;
     }
     const auto& c = std::get<Combination>(solid.node(id));
@@ -46,11 +47,11 @@ Piece piece_of(const Solid& solid, NodeId id, const Placement& placement) {
 NodeId build(SolidBuilder& b, const Piece& p) {
     if (p.shape) {
         Shape s = *p.shape;
-        if (NodeId* profile = profile_of(s)) {
+        if (NodeId* part = made_of(s)) {
             Use use;
             use.node = build(b, p.parts[0]);
             use.placement = p.parts[0].placement;
-            *profile = use.placement.is_identity() ? use.node : b.combine(SetOp::kUnion, {use});
+            *part = use.placement.is_identity() ? use.node : b.combine(SetOp::kUnion, {use});
         }
         return b.shape(std::move(s));
     }
@@ -181,26 +182,26 @@ private:
         return fmt::format("polyhedron({{{}}}, {{{}}})", points, facets);
     }
     std::string text(const shape::Extrusion& s, const Piece& p) const {
-        return fmt::format("shape::Extrusion{{{}, {}, {}, {}, {}, {}}}", profile(p), number(s.z0), number(s.z1), number(s.twist_deg), text(s.scale_top), s.slices);
+        return fmt::format("shape::Extrusion{{{}, {}, {}, {}, {}, {}}}", made_of(p), number(s.z0), number(s.z1), number(s.twist_deg), text(s.scale_top), s.slices);
     }
     std::string text(const shape::Revolution& s, const Piece& p) const {
-        return fmt::format("shape::Revolution{{{}, {}, {}, {}}}", profile(p), number(s.start_deg), number(s.angle_deg), s.fragments);
+        return fmt::format("shape::Revolution{{{}, {}, {}, {}}}", made_of(p), number(s.start_deg), number(s.angle_deg), s.fragments);
     }
     std::string text(const shape::ParabolicSegment& s, const Piece&) const {
         return fmt::format("shape::ParabolicSegment{{{}, {}, {}}}", text(s.a), text(s.c), text(s.b));
     }
     std::string text(const shape::Disc& s, const Piece&) const { return fmt::format("shape::Disc{{{}}}", number(s.r)); }
     std::string text(const shape::Rectangle& s, const Piece&) const { return fmt::format("shape::Rectangle{{{}, {}}}", text(s.lo), text(s.hi)); }
-    std::string text(const shape::Polygon& s, const Piece&) const {
+    std::string text(const shape::Polygon& s, const Piece& p) const {
         std::string contours;
         for (const auto& c : *s.contours) {
             std::string points;
-            for (const Vec2& p : c) points += (points.empty() ? "" : ", ") + fmt::format("Vec2{}", text(p));
+            for (const Vec2& corner : c) points += (points.empty() ? "" : ", ") + fmt::format("Vec2{}", text(corner));
             contours += fmt::format("{}{{{}}}", contours.empty() ? "" : ", ", points);
         }
-        return fmt::format("polygon({{{}}})", contours);
+        return s.section == kEmptyNode ? fmt::format("polygon({{{}}})", contours) : fmt::format("polygon({{{}}}, {})", contours, made_of(p));
     }
-    std::string profile(const Piece& p) const {
+    std::string made_of(const Piece& p) const {
         const Piece& part = p.parts[0];
         if (part.placement.is_identity()) return expression(part);
         return fmt::format("b.combine(SetOp::kUnion, {{use({}{})}})", expression(part), placement(part.placement));

@@ -88,7 +88,7 @@ Chain Chain::then(const Placement& p) const {
     } else {
         Matrix wide{};
         for (std::size_t i = 0; i < 12; ++i) wide[i] = p.m[i];
-        r.outer_ = links_ == 0 ? wide : product(whole_matrix(), wide);
+        r.outer_ = placed_ ? product(whole_matrix(), wide) : wide;
         r.inner_ = AxisMap{};
         r.turned_ = true;
     }
@@ -100,6 +100,16 @@ Chain Chain::then(const Placement& p) const {
     r.reach_ = reach_ + stretch_ * shift;
     r.stretch_ = stretch_ * stretch;
     ++r.links_;
+    r.placed_ = true;
+    return r;
+}
+
+Chain Chain::within_section(const std::array<double, 2>& heights) const {
+    Chain r;
+    r.section_ = std::make_shared<const ChainSection>(ChainSection{*this, heights});
+    r.reach_ = reach_;
+    r.stretch_ = stretch_;
+    r.links_ = links_;
     return r;
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "csg/base/vec.h"
 
@@ -28,8 +29,15 @@ struct AxisMap {
     }
 };
 
+struct ChainSection;
+
 class Chain {
 public:
+    // A chain that begins anew within the section in the plane z = 0 of what this one places; the section is swept over these heights of it.
+    Chain within_section(const std::array<double, 2>& heights) const;
+    // Null where the chain begins in the root.
+    const std::shared_ptr<const ChainSection>& section() const { return section_; }
+
     // The chain with `p` applied first (it stands further in).
     Chain then(const Placement& p) const;
     const AxisMap& inner() const { return inner_; }
@@ -54,8 +62,16 @@ private:
     Matrix outer_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     AxisMap inner_;
     bool turned_ = false;  // outer_ is more than the identity
+    bool placed_ = false;  // by anything yet
+    std::shared_ptr<const ChainSection> section_;
+    // Of all links, those above a section too.
     double reach_ = 0, stretch_ = 1;
     int links_ = 0;
+};
+
+struct ChainSection {
+    Chain above;
+    std::array<double, 2> heights;
 };
 
 }  // namespace whittle

@@ -85,12 +85,27 @@ bool may_meet_moved_face(const ConvexHullBody& body, const Vec3& o, const Vec3& 
     return inward_of_faces_along(body, o, d) != Vec3(0) && span_on_line(body, o, d, room + kMoved * body.size).kind != ConvexSpan::Kind::kMissed;
 }
 
+// A ray square to the plane of a section is one place of the body: in it all along or nowhere. False: not told.
+bool stands_in(const ConvexHullBody& body, const Vec3& place, double room, Crossings& out) {
+    const ConvexSpan across = span_on_line(body, place, Vec3(1, 0, 0), room);
+    out.count = 0;
+    out.first_sign = 1;
+    if (across.kind != ConvexSpan::Kind::kMet) return across.kind == ConvexSpan::Kind::kMissed;
+    const double behind = across.in.t + across.in.error + room, ahead = across.out.t - across.out.error - room;
+    if (behind < 0 && ahead > 0) {
+        out.first_sign = -1;
+        return true;
+    }
+    return across.in.t - across.in.error - room > 0 || across.out.t + across.out.error + room < 0;
+}
+
 // `certain` is false where the answer is no certificate.
 bool crossings_of(const ConvexHullBody& body, const Vec3& o, const Vec3& d, double room, bool leaving, Crossings& out, bool& certain) {
     out.count = 0;
     out.first_sign = 1;
     certain = true;
     const double span = glm::length(o - body.middle) + body.size, length = glm::length(d);
+    if (length == 0) return !leaving && stands_in(body, o, room, out);
     if (!std::isfinite(span / length) || !(room < 0x1p-14 * body.size)) return false;
     ConvexSpan found = span_on_line(body, o, d, room);
     if (found.kind == ConvexSpan::Kind::kUnclear) return false;
@@ -115,7 +130,7 @@ bool crossings_of(const ConvexHullBody& body, const Vec3& o, const Vec3& d, doub
 bool convex_crossings(const Frame& frame, const FrameRay& ray, bool leaving, Crossings& out) {
     const ConvexHullBody& body = *frame.body;
     const Vec3 o = vector_of(ray.o), d = vector_of(ray.d);
-    const double far = (glm::length(o - body.middle) + body.size) / glm::length(d);
+    const double length = glm::length(d), far = length > 0 ? (glm::length(o - body.middle) + body.size) / length : 0;
     bool certain = false;
     return crossings_of(body, o, d, size_of(ray.eo) + far * size_of(ray.ed), leaving, out, certain) && certain;
 }

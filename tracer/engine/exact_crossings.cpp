@@ -101,6 +101,7 @@ bool fine_torus(const Support& s, const Frame& frame, const Ray& ray, bool leavi
         along += (s.p[i] * line.w.high() - line.o[i].high()) * line.d[i].high();
         dd += line.d[i].high() * line.d[i].high();
     }
+    if (!(dd > 0)) return false;  // square to the plane of a section
     const double t0 = leaving ? 0 : along / dd;
     if (t0 != 0) {
         for (int i = 0; i < 3; ++i) origin[static_cast<std::size_t>(i)] = Bounded(ray.origin[i]) + Bounded(t0) * Bounded(ray.direction[i]);

@@ -38,7 +38,8 @@ struct Occurrence {
 class SupportTable {
 public:
     SupportTable();
-    FrameId frame(const Placement& placement, MotionId motion, const Twist* twist = nullptr);
+    // `outer`: the frame in whose plane z = 0 the section lies that stands in this one.
+    FrameId frame(const Placement& placement, MotionId motion, const Twist* twist = nullptr, const Frame* outer = nullptr);
     // The frame with a body in it, new every time: bodies that coincide are told by identity.h.
     FrameId frame_of(FrameId like, std::shared_ptr<const ConvexHullBody> body);
     SupportId add(const Support& support, const Bounds& box, double rounding, double rounding_per_size);

@@ -65,6 +65,10 @@ private:
     FormulaId operator_shape(const shape::Rectangle& s, const Site& site);
     FormulaId operator_shape(const shape::Polygon& s, const Site& site);
     FormulaId operator_shape(const shape::ParabolicSegment& s, const Site& site);
+    // The part of a 3D node in the plane z = 0, swept along z; kNoFormula where that takes facets.
+    FormulaId section(NodeId solid, const Site& site);
+    // Below a section: planes along the section's own, on whose one side all of it lies. False: on the outer one.
+    bool drop_constant_planes(std::vector<HalfSpaceRef>& half_spaces) const;
     // Of a 2D shape swept along z: where it matters.
     static Bounds swept(Vec2 lo, Vec2 hi, const Site& site) { return {Vec3(lo, site.heights[0]), Vec3(hi, site.heights[1])}; }
     FormulaId faceted(NodeId id, const Site& site);

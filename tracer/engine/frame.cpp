@@ -92,10 +92,21 @@ bool is_exact(const Placement& a) {
     return true;
 }
 
+// What of the frame's coordinates no difference from `entry` makes: those of `entry` itself.
+void keep_lift(Frame& f, SectionPlane& plane) {
+    const std::array<exact::Dyadic, 3> at{exact::Dyadic(plane.entry[0]), exact::Dyadic(plane.entry[1]), exact::Dyadic(plane.entry[2])};
+    const FrameLine<exact::Dyadic> line = line_in_frame<exact::Dyadic>(f, at, Vec3(0));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Bounded lift = value_of(line.o[i]) / value_of(line.w);
+        plane.lift[i] = lift.high();
+        plane.lift_room[i] = 1.0625 * (std::abs(lift.low()) + lift.error() + 0x1p-80 * std::abs(lift.high()));
+    }
+}
+
 // What each entry of the inverse lacks is known; products round but with 0 and powers of two, differences but from an offset of 0, sums where there are two.
 void count_roundings(Frame& f) {
     constexpr double kUnit = 1.0625 * 0x1p-53;
-    const bool exact = is_exact(f.placement);
+    const bool exact = !f.section && is_exact(f.placement);
     for (std::size_t i = 0; i < 3; ++i) {
         int entries = 0;
         for (std::size_t j = 0; j < 3; ++j) {
@@ -103,9 +114,9 @@ void count_roundings(Frame& f) {
             double& room = f.direction_room[3 * i + j];
             entries += entry != 0;
             room = (exact ? 0 : 1.0625 * room) + (entry == 0 || is_power_of_two(entry) ? 0 : size);
-            f.origin_room[3 * i + j] = room + (f.placement.offset(static_cast<int>(j)) == 0 ? 0 : size);
+            f.origin_room[3 * i + j] = room + (f.entry(static_cast<int>(j)) == 0 ? 0 : size);
         }
-        f.sum_room[i] = entries > 1 ? kUnit : 0;
+        f.sum_room[i] = entries > 1 || f.section ? kUnit : 0;
     }
 }
 
@@ -119,6 +130,44 @@ Frame make_frame(const Placement& placement) {
     if (!invert_quickly(f)) invert_exactly(f);
     count_roundings(f);
     return f;
+}
+
+Frame make_frame(const Placement& placement, const Frame& outer) {
+    Frame f;
+    f.placement = placement;
+    f.identity = false;
+    auto plane = std::make_shared<SectionPlane>();
+    plane->frame = outer;
+    for (int j = 0; j < 3; ++j) plane->entry[static_cast<std::size_t>(j)] = outer.entry(j);
+    f.section = plane;
+    invert_exactly(f);
+    keep_lift(f, *plane);
+    count_roundings(f);
+    return f;
+}
+
+Frame moved_frame(const Frame& frame, const Placement& motion) {
+    if (!frame.section) return make_frame(motion * frame.placement);
+    return make_frame(frame.placement, moved_frame(frame.section->frame, motion));
+}
+
+bool stand_alike(const Frame& a, const Frame& b) {
+    if (!(a.placement == b.placement) || !a.section != !b.section) return false;
+    return a.section == b.section || stand_alike(a.section->frame, b.section->frame);
+}
+
+Vec3 point_in_frame(const Frame& frame, const Vec3& point) {
+    if (frame.identity) return point;
+    const auto& k = frame.inverse;
+    const Vec3 p = point - Vec3(frame.entry(0), frame.entry(1), frame.entry(2));
+    return {k[0] * p.x + k[1] * p.y + k[2] * p.z + frame.lift(0), k[3] * p.x + k[4] * p.y + k[5] * p.z + frame.lift(1),
+            k[6] * p.x + k[7] * p.y + k[8] * p.z + frame.lift(2)};
+}
+
+Vec3 gradient_in_root(const Frame& frame, const Vec3& n) {
+    if (frame.identity) return n;
+    const auto& k = frame.inverse;
+    return {k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z};
 }
 
 }  // namespace whittle

@@ -80,18 +80,12 @@ Vec3 unit_vector(Vec3 n) {
 }
 
 Vec3 unit_gradient(const Support& support, const Frame& frame, const Vec3& point) {
-    const auto& k = frame.inverse;
-    Vec3 local = point;
-    if (!frame.identity) {
-        const Vec3 from = point - Vec3(frame.placement.offset(0), frame.placement.offset(1), frame.placement.offset(2));
-        local = {k[0] * from.x + k[1] * from.y + k[2] * from.z, k[3] * from.x + k[4] * from.y + k[5] * from.z, k[6] * from.x + k[7] * from.y + k[8] * from.z};
-    }
+    const Vec3 local = point_in_frame(frame, point);
     Vec3 n;
     if (support.kind == SupportKind::kConvex) n = convex_gradient(frame, local);
     else if (is_turned(support.kind)) n = turned_gradient(support, *frame.twist, local);
     else n = is_plane(support.kind) ? plane_gradient(support) : curved_gradient(support, local);
-    if (!frame.identity) n = {k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z};
-    return unit_vector(n);
+    return unit_vector(gradient_in_root(frame, n));
 }
 
 }  // namespace whittle

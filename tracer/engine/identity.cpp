@@ -136,6 +136,7 @@ private:
         const double tolerance = kSnapTolerance * std::max(finite_part(a.extent), finite_part(b.extent)) + a.rounding + b.rounding;
         if (!touching(a.box, b.box, tolerance)) return false;
         const Frame &in_s = table_.frames[s.frame], &in_t = table_.frames[t.frame];
+        if (in_s.section || in_t.section) return false;
         distance = is_turned(s.kind) ? turned_distance(s, in_s, t, in_t, flipped) : convex_distance(in_s, in_t);
         return distance <= tolerance;
     }
@@ -199,6 +200,7 @@ private:
         const double tolerance = tolerance_of(first, id);
         if (w.form == WorldSurface::Form::kPlane) return planes_agree(w, surface(first), a, b, tolerance, flipped, distance);
         if (w.form == WorldSurface::Form::kTorus) {
+            if (table_.frames[s.frame].section || table_.frames[t.frame].section) return false;
             distance = static_cast<double>(torus_distance(s, table_.frames[s.frame], t, table_.frames[t.frame]));
             return distance <= tolerance;
         }

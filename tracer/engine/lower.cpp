@@ -174,6 +174,8 @@ FormulaNode FormulaBuilder::leaf(FormulaKind kind, const Bounds& box, const Site
 }
 
 FormulaId FormulaBuilder::cell(std::vector<HalfSpaceRef> half_spaces, const Bounds& box, const Site& site) {
+    if (box.empty() || !drop_constant_planes(half_spaces)) return constant(site.negated);
+    if (half_spaces.empty()) return constant(!site.negated);
     FormulaNode n = leaf(FormulaKind::kCell, box, site);
     n.half_spaces = std::move(half_spaces);
     return push(std::move(n));
@@ -331,7 +333,5 @@ FormulaId FormulaBuilder::operator_shape(const shape::Disc& s, const Site& site)
 FormulaId FormulaBuilder::operator_shape(const shape::Rectangle& s, const Site& site) {
     return box(Vec3(s.lo, -HUGE_VAL), Vec3(s.hi, HUGE_VAL), site);
 }
-
-FormulaId FormulaBuilder::operator_shape(const shape::Polygon& s, const Site& site) { return prism(*s.contours, site); }
 
 }  // namespace whittle

@@ -132,7 +132,9 @@ FormulaId FormulaBuilder::revolved(NodeId id, const Chain& plane, const Site& si
         contours = {parabola_corners(*segment, parabola_chords(*segment, size * kTurnedTolerance))};
         where.exact = false;
     } else {
-        contours = *std::get<shape::Polygon>(shape).contours;
+        const auto& polygon = std::get<shape::Polygon>(shape);
+        contours = *polygon.contours;
+        where.exact = where.exact && polygon.section == kEmptyNode;
     }
     for (auto& contour : contours)
         for (Vec2& v : contour) v = m.apply(v);

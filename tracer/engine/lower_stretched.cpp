@@ -78,6 +78,7 @@ FormulaId FormulaBuilder::stretched(NodeId id, const shape::Extrusion& e, const 
         if (e.scale_top.x != e.scale_top.y)
             for (int axis = 0; axis < 2; ++axis) sides.insert(sides.end(), {placer.axis_plane(axis, box.lo[axis], false), placer.axis_plane(axis, box.hi[axis], true)});
         Bounds around = placer.root_box();
+        if (around.empty()) continue;  // no part of it is in the section that it stands in
         const Vec3 size = around.hi - around.lo;
         const double room = kBeyondCorners * std::max({size.x, size.y, size.z});
         around.lo -= room;

@@ -81,7 +81,7 @@ FormulaId FormulaBuilder::turned(NodeId id, const shape::Extrusion& e, const Sit
     const Vec2 far = glm::max(glm::abs(Vec2(flat.lo)), glm::abs(Vec2(flat.hi)));
     Twist twist{e.z0, e.z1, e.twist_deg, e.scale_top.x, e.scale_top.y, e.z0, e.z1, 0};
     twist.reach = glm::length(far) * std::max({1.0, e.scale_top.x, e.scale_top.y}) * kOutward;
-    const double scale = exact_scale(site.chain.whole());
+    const double scale = site.chain.section() ? 1 : exact_scale(site.chain.whole());
     const int pieces = static_cast<int>(std::clamp(std::ceil(std::abs(e.twist_deg) / kMostDegrees), 1.0, kMostPieces));
     std::vector<FormulaId> parts;
     for (int i = 0; i < pieces; ++i) {

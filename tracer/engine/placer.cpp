@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <tuple>
 
 #include "csg/solid/directed.h"
@@ -54,13 +55,14 @@ bool can_absorb(const AxisMap& map, Absorb absorb) {
 
 SupportTable::SupportTable() { frame(Placement{}, 0); }
 
-FrameId SupportTable::frame(const Placement& placement, MotionId motion, const Twist* twist) {
+FrameId SupportTable::frame(const Placement& placement, MotionId motion, const Twist* twist, const Frame* outer) {
     const std::uint64_t h = hash_of(placement.m, twist ? mix(motion, std::hash<double>()(twist->from)) : motion);
     const auto is_turned_so = [&](const Frame& f) { return twist ? f.twist && *f.twist == *twist : !f.twist; };
-    const FrameId known = frames_by_hash_.find(h, [&](FrameId k) { return frames[k].placement == placement && frames[k].motion == motion && is_turned_so(frames[k]); });
+    const auto stands_so = [&](const Frame& f) { return f.placement == placement && (outer ? f.section && stand_alike(f.section->frame, *outer) : !f.section); };
+    const FrameId known = frames_by_hash_.find(h, [&](FrameId k) { return stands_so(frames[k]) && frames[k].motion == motion && is_turned_so(frames[k]); });
     if (known != IdTable::kNone) return known;
     const auto id = static_cast<FrameId>(frames.size());
-    frames.push_back(make_frame(placement));
+    frames.push_back(outer ? make_frame(placement, *outer) : make_frame(placement));
     frames.back().motion = motion;
     if (twist) frames.back().twist = std::make_shared<const Twist>(*twist);
     if (motion != 0) frames.back().identity = false;
@@ -123,13 +125,32 @@ Wide reach_of_map(const AxisMap& map, double size) {
     return most;
 }
 
+// The frame in whose plane z = 0 the section lies.
+Frame frame_above(const ChainSection& section) {
+    const Placement placement = section.above.whole();
+    const ChainSection* const next = section.above.section().get();
+    return next ? make_frame(placement, frame_above(*next)) : make_frame(placement);
+}
+
+// Of what has the section there, in the root frame; empty where the box misses the plane by more than `room`.
+Bounds box_of_section(const ChainSection& section, Bounds box, double room) {
+    if (box.lo.z > room || box.hi.z < -room) return {};
+    box.lo.z = section.heights[0];
+    box.hi.z = section.heights[1];
+    box = placed_bounds(box, section.above.whole());
+    const ChainSection* const next = section.above.section().get();
+    return next ? box_of_section(*next, box, room) : box;
+}
+
 }  // namespace
 
 Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Bounds& box, Absorb absorb, const Twist* twist) : formula_(formula) {
     const bool taken = can_absorb(chain.inner(), absorb);
     if (taken) map_ = chain.inner();
     const Placement whole = chain.whole();
-    frame_ = formula.table.frame(taken ? chain.outer() : whole, motion, twist);
+    const ChainSection* const section = chain.section().get();
+    const std::optional<Frame> outer = section ? std::optional(frame_above(*section)) : std::nullopt;
+    frame_ = formula.table.frame(taken ? chain.outer() : whole, motion, twist, outer ? &*outer : nullptr);
     root_box_ = everywhere();
     double size = 0;
     for (int i = 0; i < 3; ++i)
@@ -140,7 +161,8 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
     formula_.largest_displacement = std::max(formula_.largest_displacement, taken ? chain.displacement_of_outer(to_double(reach_of_map(map_, size))) : chain.displacement_of_whole(size));
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
     if (finite) {
-        root_box_ = swept_bounds(formula.motions, motion, placed_bounds(box, whole));
+        const Bounds placed = placed_bounds(box, whole);
+        root_box_ = swept_bounds(formula.motions, motion, section ? box_of_section(*section, placed, 4 * rounding_) : placed);
         // What moves is placed once more for every time, with a few dozen roundings.
         constexpr double kRoundingOfPath = 0x1p-46;
         const double room = 4 * rounding_ + (motion == 0 ? 0 : kRoundingOfPath * (glm::length(root_box_.lo) + glm::length(root_box_.hi)));
@@ -202,7 +224,7 @@ HalfSpaceRef Placer::axis_plane(int axis, double value, bool below) {
 // What turns about an axis keeps the planes across it: faces of one height are one support then, however far apart the parts stand.
 std::optional<Placer::RootPlane> Placer::in_root(int i, double value) const {
     const Frame& frame = formula_.table.frames[frame_];
-    if (frame.motion != 0 || frame.identity) return std::nullopt;
+    if (frame.motion != 0 || frame.identity || frame.section) return std::nullopt;
     const auto& m = frame.placement.m;
     for (int k = 0; k < 3; ++k) {
         const auto entry = [&](int column) { return m[static_cast<std::size_t>(4 * k + (i + column) % 3)]; };

@@ -68,8 +68,8 @@ const FrameRay& RayContext::frame_ray(FrameId id) {
             frame_rays_[id] = ray_in_frame(f, ray_);
         } else {
             // Rays of one sample share its time: the inverse of the same placement is kept.
-            const Placement now = whole_motion(program_->motions, f.motion, ray_.time) * f.placement;
-            if (!same_bits(moved_[id].placement, now)) moved_[id] = make_frame(now);
+            const Placement motion = whole_motion(program_->motions, f.motion, ray_.time);
+            if (f.section || !same_bits(moved_[id].placement, motion * f.placement)) moved_[id] = moved_frame(f, motion);
             if (moved_[id].twist != f.twist) moved_[id].twist = f.twist;
             if (moved_[id].body != f.body) moved_[id].body = f.body;
             frame_rays_[id] = ray_in_frame(moved_[id], ray_);

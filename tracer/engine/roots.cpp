@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tracer/engine/dyadic.h"
 #include "tracer/engine/torus_roots.h"
 
 namespace whittle {
@@ -45,9 +46,29 @@ bool round_crossings(const std::array<std::size_t, n>& axes, const std::array<do
 
 }  // namespace
 
+namespace {
+
+// A ray all but square to the plane of a section hardly moves in it: by how much only exact numbers tell.
+void keep_slow_way(const Frame& frame, const Vec3& direction, FrameRay& local) {
+    constexpr double kEnough = 0x1p-20;  // known to that, relative, double will do
+    double way = 0, error = 0;
+    for (std::size_t i = 0; i < 3; ++i) way += std::abs(local.d[i]), error += local.ed[i];
+    if (error <= kEnough * way) return;
+    const exact::Dyadic zero(0.0);
+    const FrameLine<exact::Dyadic> line = line_in_frame<exact::Dyadic>(frame, {zero, zero, zero}, direction);
+    for (std::size_t i = 0; i < 3; ++i) {
+        local.d[i] = line.d[i].approximate() / line.w.approximate();
+        local.ed[i] = 4 * u * std::abs(local.d[i]);
+    }
+}
+
+}  // namespace
+
 FrameRay ray_in_frame(const Frame& frame, const Ray& ray) {
     const auto line = single::line_in<double>(frame, {ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
-    return {line.o, line.d, line.eo, line.ed};
+    FrameRay local{line.o, line.d, line.eo, line.ed};
+    if (frame.section && kCertifies) keep_slow_way(frame, ray.direction, local);
+    return local;
 }
 
 bool filtered_crossings(const Support& support, const FrameRay& ray, Crossings& out) {

@@ -29,12 +29,14 @@ struct LocalBox {
 LocalBox local_box(const Frame& frame, const Bounds& box) {
     LocalBox r;
     const Vec3 m = 0.5 * (box.lo + box.hi), h = 0.5 * (box.hi - box.lo);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
+        r.m[i] = frame.lift(i);
         for (std::size_t j = 0; j < 3; ++j) {
             const double k = frame.inverse[3 * i + j];
-            r.m[i] += k * (m[static_cast<int>(j)] - frame.placement.offset(static_cast<int>(j)));
+            r.m[i] += k * (m[static_cast<int>(j)] - frame.entry(static_cast<int>(j)));
             r.edge[j][i] = k * h[static_cast<int>(j)];
         }
+    }
     return r;
 }
 

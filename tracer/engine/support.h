@@ -26,10 +26,16 @@ struct Twist {
     bool operator==(const Twist&) const = default;
 };
 
+struct SectionPlane;
+
 // A placement shared by many supports. `inverse` rows are the inverse of the linear part, each entry within
 // a unit of roundoff and 2^-64 of itself: a filter only, it never decides.
+//
+// With `section`, what stands in the frame is the section of a solid swept along the z axis of another frame: a point goes into that, drops to its plane z = 0
+// and goes on through the placement. `inverse` is the linear part of all of that then, and singular.
 struct Frame {
     Placement placement;
+    std::shared_ptr<const SectionPlane> section;
     std::shared_ptr<const Twist> twist;  // of turned sides: null for all others
     std::shared_ptr<const ConvexHullBody> body;  // of a convex body likewise
     std::array<double, 9> inverse{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -40,10 +46,32 @@ struct Frame {
     // difference); and, row by row, of each sum's magnitude. With a little room.
     std::array<double, 9> origin_room{}, direction_room{};
     std::array<double, 3> sum_room{};
+
+    // The frame's coordinates of a point x are inverse (x - entry) + lift.
+    double entry(int j) const;
+    double lift(std::size_t i) const;
 };
+
+struct SectionPlane {
+    Frame frame;
+    std::array<double, 3> entry{}, lift{}, lift_room{};  // of the frame that has the section; lift_room bounds what rounding leaves out of lift
+};
+
+inline double Frame::entry(int j) const { return section ? section->entry[static_cast<std::size_t>(j)] : placement.offset(j); }
+inline double Frame::lift(std::size_t i) const { return section ? section->lift[i] : 0; }
 
 // Requires: the linear part is regular and finite.
 Frame make_frame(const Placement& placement);
+// With the section in the plane z = 0 of `outer`.
+Frame make_frame(const Placement& placement, const Frame& outer);
+// The frame carried along.
+Frame moved_frame(const Frame& frame, const Placement& motion);
+// Are the frames' own placements, and all above them, equal?
+bool stand_alike(const Frame& a, const Frame& b);
+
+Vec3 point_in_frame(const Frame& frame, const Vec3& point);
+// The gradient in the root frame of what has this gradient in the frame.
+Vec3 gradient_in_root(const Frame& frame, const Vec3& gradient);
 
 enum class SupportKind : std::uint8_t {
     kAxisPlane,   // x_axis = p0
@@ -101,32 +129,25 @@ struct LinePolynomial {
     int degree = 0;
 };
 
-// The ray (its origin given in the ring: the symbolic perturbation adds to it) in the frame, by the adjugate, scaled so that w > 0.
+namespace detail {
+
+// (from + t d) / w by the adjugate of the placement's linear part, scaled so that the new w keeps its sign. `from` is measured from w times the offset.
 template <class N>
-FrameLine<N> line_in_frame(const Frame& frame, const std::array<N, 3>& origin, const Vec3& direction) {
-    FrameLine<N> line;
-    if (frame.identity) {
-        line.o = origin;
-        line.d = {N(direction.x), N(direction.y), N(direction.z)};
-        return line;
-    }
+FrameLine<N> line_under(const Placement& placement, bool flip, const std::array<N, 3>& from, const std::array<N, 3>& direction) {
     std::array<std::array<N, 3>, 3> a;
-    std::array<N, 3> from;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) a[i][j] = N(frame.placement.linear(i, j));
-        from[i] = origin[i] - N(frame.placement.offset(i));
-    }
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) a[i][j] = N(placement.linear(i, j));
     const auto minor = [&](int r, int c) {
         const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
         return a[r1][c1] * a[r2][c2] - a[r1][c2] * a[r2][c1];
     };
-    const bool flip = frame.determinant_sign < 0;
+    FrameLine<N> line;
     for (int i = 0; i < 3; ++i) {
         N o{0.0}, d{0.0};
         for (int j = 0; j < 3; ++j) {
             const N adjugate = flip ? -minor(j, i) : minor(j, i);
             o = o + adjugate * from[j];
-            d = d + adjugate * N(direction[j]);
+            d = d + adjugate * direction[j];
         }
         line.o[i] = o;
         line.d[i] = d;
@@ -134,6 +155,25 @@ FrameLine<N> line_in_frame(const Frame& frame, const std::array<N, 3>& origin, c
     const N det = a[0][0] * minor(0, 0) + a[0][1] * minor(0, 1) + a[0][2] * minor(0, 2);
     line.w = flip ? -det : det;
     return line;
+}
+
+}  // namespace detail
+
+// The ray (its origin given in the ring: the symbolic perturbation adds to it) in the frame, by the adjugate, scaled so that w > 0.
+template <class N>
+FrameLine<N> line_in_frame(const Frame& frame, const std::array<N, 3>& origin, const Vec3& direction) {
+    const bool flip = frame.determinant_sign < 0;
+    std::array<N, 3> from;
+    if (frame.section) {
+        const FrameLine<N> above = line_in_frame(frame.section->frame, origin, direction);
+        for (int i = 0; i < 3; ++i) from[i] = (i == 2 ? N{0.0} : above.o[i]) - N(frame.placement.offset(i)) * above.w;
+        FrameLine<N> line = detail::line_under<N>(frame.placement, flip, from, {above.d[0], above.d[1], N{0.0}});
+        line.w = line.w * above.w;
+        return line;
+    }
+    if (frame.identity) return {origin, {N(direction.x), N(direction.y), N(direction.z)}, N{1.0}};
+    for (int i = 0; i < 3; ++i) from[i] = origin[i] - N(frame.placement.offset(i));
+    return detail::line_under<N>(frame.placement, flip, from, {N(direction.x), N(direction.y), N(direction.z)});
 }
 
 namespace polynomial {

@@ -14,13 +14,13 @@ std::array<double, 3> widened(const std::array<float, 3>& x) { return {x[0], x[1
 TileExtremes in_frame(const TileExtremes& e, const Frame& frame) {
     TileExtremes r;
     for (std::size_t i = 0; i < 3; ++i) {
-        double o = 0, ho = 0, d = 0, hd = 0;
+        double o = frame.lift(i), ho = kRoomOfBounds * std::abs(o), d = 0, hd = 0;
         for (std::size_t j = 0; j < 3; ++j) {
             const double k = frame.inverse[3 * i + j], size = std::abs(k);
-            const double from = 0.5 * (e.o_lo[j] + e.o_hi[j]) - frame.placement.offset(static_cast<int>(j)), way = 0.5 * (e.d_lo[j] + e.d_hi[j]);
+            const double from = 0.5 * (e.o_lo[j] + e.o_hi[j]) - frame.entry(static_cast<int>(j)), way = 0.5 * (e.d_lo[j] + e.d_hi[j]);
             o += k * from;
             d += k * way;
-            ho += size * (0.5 * (e.o_hi[j] - e.o_lo[j]) + kRoomOfBounds * (std::abs(from) + std::abs(frame.placement.offset(static_cast<int>(j)))));
+            ho += size * (0.5 * (e.o_hi[j] - e.o_lo[j]) + kRoomOfBounds * (std::abs(from) + std::abs(frame.entry(static_cast<int>(j)))));
             hd += size * (0.5 * (e.d_hi[j] - e.d_lo[j]) + kRoomOfBounds * std::abs(way));
         }
         r.o_lo[i] = o - ho, r.o_hi[i] = o + ho;

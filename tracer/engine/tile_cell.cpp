@@ -29,9 +29,9 @@ constexpr double kDepartureRoom = 0x1p-34;  // of the horizon: rays that leave a
 TileLine line_in_frame(const TileLine& root, const Frame& frame) {
     TileLine r;
     for (std::size_t i = 0; i < 3; ++i) {
-        double o = 0, ho = 0, d = 0, hd = 0, so = 0, sd = 0;
+        double o = frame.lift(i), ho = 0, d = 0, hd = 0, so = std::abs(o), sd = 0;
         for (std::size_t j = 0; j < 3; ++j) {
-            const double k = frame.inverse[3 * i + j], size = std::abs(k), offset = frame.placement.offset(static_cast<int>(j));
+            const double k = frame.inverse[3 * i + j], size = std::abs(k), offset = frame.entry(static_cast<int>(j));
             const double lo = root.o_lo[j] - offset, hi = root.o_hi[j] - offset;
             o += k * (0.5 * (lo + hi));
             d += k * (0.5 * (root.d_lo[j] + root.d_hi[j]));

@@ -222,7 +222,27 @@ bool as_crossings(const TurnedRoots<Bounded>& roots, Crossings& out) {
 
 }  // namespace
 
+namespace {
+
+constexpr double kSlow = 0x1p-400, kFaster = 0x1p500;
+
+bool is_slow(const FrameRay& ray) {
+    return std::abs(ray.d[0]) + std::abs(ray.d[1]) + std::abs(ray.d[2]) < kSlow && ray.d != std::array<double, 3>{};
+}
+
+// Of a ray whose squares would be lost.
+bool slow_window(const Twist& w, FrameRay ray, TurnedWindow& out) {
+    for (std::size_t i = 0; i < 3; ++i) ray.d[i] *= kFaster, ray.ed[i] *= kFaster;
+    if (!turned_window(w, ray, out)) return false;
+    out.from *= kFaster;
+    out.to *= kFaster;
+    return out.empty || (std::isfinite(out.from) && std::isfinite(out.to));
+}
+
+}  // namespace
+
 bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
+    if (is_slow(ray)) return slow_window(w, ray, out);
     const double height = w.to - w.from, room = kMargin * height, reach = w.reach * (1 + kMargin);
     const double dd = ray.d[0] * ray.d[0] + ray.d[1] * ray.d[1];
     double from = -HUGE_VAL, to = HUGE_VAL;
@@ -247,6 +267,7 @@ bool turned_window(const Twist& w, const FrameRay& ray, TurnedWindow& out) {
         out = {0, 0, true};
         return !std::isnan(from) && !std::isnan(to);
     }
+    if (ray.d == std::array<double, 3>{}) from = -1, to = 1;  // square to the plane of a section: one place, whatever t is
     if (!std::isfinite(from) || !std::isfinite(to)) return false;
     const double far = std::max(std::abs(from), std::abs(to));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -301,13 +322,6 @@ Vec3 turned_gradient(const Support& support, const Twist& twist, const Vec3& poi
 
 namespace {
 
-Vec3 in_frame(const Frame& frame, const Vec3& point) {
-    if (frame.identity) return point;
-    const auto& k = frame.inverse;
-    const Vec3 p = point - Vec3(frame.placement.offset(0), frame.placement.offset(1), frame.placement.offset(2));
-    return {k[0] * p.x + k[1] * p.y + k[2] * p.z, k[3] * p.x + k[4] * p.y + k[5] * p.z, k[6] * p.x + k[7] * p.y + k[8] * p.z};
-}
-
 // A place of the swept curve: `along` in [0, 1] on it, `up` in [0, 1] of the piece.
 Vec3 turned_point(const Support& s, const Twist& w, double along, double up) {
     const auto& p = s.p;
@@ -335,19 +349,15 @@ double turned_distance(const Support& a, const Frame& in_a, const Support& b, co
     const auto apart = [&](double x, double y) { return std::max(glm::distance(on_axis(in_a, v.from), on_axis(in_b, x)), glm::distance(on_axis(in_a, v.to), on_axis(in_b, y))); };
     double worst = std::min(apart(w.from, w.to), apart(w.to, w.from));
     // The windows must be the same but for their margins.
-    const double reach = glm::length(in_frame(in_b, apply_to_point(in_a.placement, {v.reach, 0, v.from})) - in_frame(in_b, on_axis(in_a, v.from)));
+    const double reach = glm::length(point_in_frame(in_b, apply_to_point(in_a.placement, {v.reach, 0, v.from})) - point_in_frame(in_b, on_axis(in_a, v.from)));
     if (!(std::abs(reach - w.reach) <= 0x1p-16 * w.reach) || a.kind != b.kind) return HUGE_VAL;
     constexpr int kPoints = 5;
     for (int i = 0; i < kPoints; ++i)
         for (int j = 0; j < kPoints; ++j) {
-            const Vec3 p = turned_point(a, v, (i + 0.125) / kPoints, (j + 0.375) / kPoints), root = apply_to_point(in_a.placement, p), q = in_frame(in_b, root);
+            const Vec3 p = turned_point(a, v, (i + 0.125) / kPoints, (j + 0.375) / kPoints), root = apply_to_point(in_a.placement, p), q = point_in_frame(in_b, root);
             std::array<Near, 3> still, from{Near(q.x), Near(q.y), Near(q.z)};
             const double value = TurnedLine<Near>(b, w, from, still).at(Near(0.0)).c[0].high();
-            const auto pulled = [](const Frame& f, const Vec3& n) {
-                const auto& k = f.inverse;
-                return f.identity ? n : Vec3(k[0] * n.x + k[3] * n.y + k[6] * n.z, k[1] * n.x + k[4] * n.y + k[7] * n.z, k[2] * n.x + k[5] * n.y + k[8] * n.z);
-            };
-            const Vec3 n = pulled(in_a, turned_gradient(a, v, p)), m = pulled(in_b, turned_gradient(b, w, q));
+            const Vec3 n = gradient_in_root(in_a, turned_gradient(a, v, p)), m = gradient_in_root(in_b, turned_gradient(b, w, q));
             const double slope = glm::length(m);
             if (!(slope > 0)) return HUGE_VAL;
             const bool against = glm::dot(n, m) < 0;

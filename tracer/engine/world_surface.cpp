@@ -133,40 +133,76 @@ Rows inverse_of(const Placement& a) {
     return r;
 }
 
-// x_local = inverse (x - offset).
-WorldSurface to_root(const WorldSurface& local, const Frame& frame) {
-    if (frame.identity) return local;
+using Point = std::array<Real, 3>;
+
+Point product(const Rows& a, const Point& p) {
+    Point r{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) r[i] += a[i][j] * p[j];
+    return r;
+}
+
+// A point x of the root frame is linear (x - entry) + lift in the frame.
+struct WayIn {
+    Rows linear{};
+    Point entry{}, lift{};
+};
+
+WayIn way_into(const Frame& frame) {
+    WayIn way;
+    if (!frame.section) {
+        way.linear = inverse_of(frame.placement);
+        for (std::size_t i = 0; i < 3; ++i) way.entry[i] = frame.placement.m[4 * i + 3];
+        return way;
+    }
+    WayIn above = way_into(frame.section->frame);
+    above.linear[2] = {};
+    above.lift[2] = 0;
     const Rows inverse = inverse_of(frame.placement);
-    WorldSurface w = local;
-    w.b = {};
-    for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t i = 0; i < 3; ++i) w.b[j] += inverse[i][j] * local.b[i];
-    w.m = {};
-    for (std::size_t e = 0; e < 6; ++e)
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) w.m[e] += inverse[i][kPairs[e][0]] * entry(local.m, i, j) * inverse[j][kPairs[e][1]];
-    // Shift by the offset b: M stays, b -> b - M b0, c -> c - 2 b.b0 + b0'M b0 (for a plane c - b.b0).
-    std::array<Real, 3> moved{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t k = 0; k < 3; ++k) way.linear[i][j] += inverse[i][k] * above.linear[k][j];
+        above.lift[i] -= frame.placement.m[4 * i + 3];
+    }
+    way.entry = above.entry;
+    way.lift = product(inverse, above.lift);
+    return way;
+}
+
+// Of x + by instead of x.
+WorldSurface shifted(WorldSurface w, const Point& by) {
+    Point moved{};
     Real linear = 0, square = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Real oi = frame.placement.m[4 * i + 3];
-        linear += w.b[i] * oi;
+        linear += w.b[i] * by[i];
         for (std::size_t j = 0; j < 3; ++j) {
-            const Real oj = frame.placement.m[4 * j + 3];
-            moved[i] += entry(w.m, i, j) * oj;
-            square += oi * entry(w.m, i, j) * oj;
+            moved[i] += entry(w.m, i, j) * by[j];
+            square += by[i] * entry(w.m, i, j) * by[j];
         }
     }
-    if (local.form == WorldSurface::Form::kPlane) {
-        w.c -= linear;
-    } else {
-        w.c += square - 2 * linear;
-        for (std::size_t i = 0; i < 3; ++i) w.b[i] -= moved[i];
+    if (w.form == WorldSurface::Form::kPlane) {
+        w.c += linear;
+        return w;
     }
+    w.c += square + 2 * linear;
+    for (std::size_t i = 0; i < 3; ++i) w.b[i] += moved[i];
     return w;
 }
 
-using Point = std::array<Real, 3>;
+WorldSurface to_root(const WorldSurface& local, const Frame& frame) {
+    if (frame.identity) return local;
+    const WayIn way = way_into(frame);
+    const WorldSurface lifted = frame.section ? shifted(local, way.lift) : local;
+    WorldSurface w = lifted;
+    w.b = {};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) w.b[j] += way.linear[i][j] * lifted.b[i];
+    w.m = {};
+    for (std::size_t e = 0; e < 6; ++e)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) w.m[e] += way.linear[i][kPairs[e][0]] * entry(lifted.m, i, j) * way.linear[j][kPairs[e][1]];
+    return shifted(w, {-way.entry[0], -way.entry[1], -way.entry[2]});
+}
 
 Point placed(const Placement& a, const Point& p) {
     Point r;
@@ -248,6 +284,7 @@ WorldSurface world_surface(const Support& support, const Frame& frame) {
     if (is_plane(support.kind)) {
         w = to_root(local_plane(support), frame);
         const Real length = std::sqrt(w.b[0] * w.b[0] + w.b[1] * w.b[1] + w.b[2] * w.b[2]);
+        if (!(length > 0)) return w;  // in a section, a plane along the section's own: it decides nothing
         for (Real& x : w.b) x /= length;
         w.c /= length;
         return w;

@@ -56,7 +56,7 @@ private:
             for (std::size_t i = 0; i < std::min(count, combination->operands.size()); ++i) collect(combination->operands[i], material);
             return;
         }
-        if (const NodeId profile = copy_.profile_of(use.node)) return collect(Use{profile, kNoLabel, 0, {}}, material);
+        if (const NodeId part = copy_.part_of(use.node)) return collect(Use{part, kNoLabel, 0, {}}, material);
         const Kind kind = kind_here(material);
         if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     }
@@ -84,8 +84,8 @@ private:
         NodeId result = kEmptyNode;
         if (const auto* combination = std::get_if<Combination>(&solid_.node(id))) {
             result = restricted_combination(*combination, material);
-        } else if (const NodeId profile = copy_.profile_of(id)) {
-            result = copy_.swept(id, restricted(profile, material));
+        } else if (const NodeId part = copy_.part_of(id)) {
+            result = copy_.made_of(id, restricted(part, material));
         } else if (kind_here(material) == kinds_[kind_]) {
             result = copy_.whole(id);
         }

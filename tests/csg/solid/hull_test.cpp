@@ -189,19 +189,19 @@ TEST_CASE("an L swept over a cube is cut into parts whose union is the sum") {
 TEST_CASE("sections and shadows of upright shapes are the flat shapes they are swept from") {
     SolidBuilder b;
     const Use ball = at(b.shape(shape::Ellipsoid{Vec3(5)}), {1, 2, 3}), ring = at(b.shape(shape::Torus{5, 1})), cone = at(b.shape(shape::Frustum{0, 4, 4, 0}), {0, 0, -1});
-    const auto circle = exact_section(b, ball);
+    const auto circle = exact_section(b, ball, {});
     REQUIRE(circle);
     CHECK(std::get<shape::Disc>(std::get<Shape>(b.node(circle->node))).r == Approx(4));
-    const auto cut = exact_section(b, cone);
+    const auto cut = exact_section(b, cone, {});
     REQUIRE(cut);
     CHECK(std::get<shape::Disc>(std::get<Shape>(b.node(cut->node))).r == Approx(3));
-    const auto annulus = exact_section(b, ring);
+    const auto annulus = exact_section(b, ring, {});
     REQUIRE(annulus);
     CHECK(std::get<Combination>(b.node(annulus->node)).op == SetOp::kDifference);
     const auto shadow = exact_shadow(b, cone);
     REQUIRE(shadow);
     CHECK(std::get<shape::Disc>(std::get<Shape>(b.node(shadow->node))).r == 4);
-    const auto missed = exact_section(b, at(b.shape(shape::Box{Vec3(0), Vec3(1)}), {0, 0, 2}));
+    const auto missed = exact_section(b, at(b.shape(shape::Box{Vec3(0), Vec3(1)}), {0, 0, 2}), {});
     REQUIRE(missed);
     CHECK(missed->node == kEmptyNode);
 }
@@ -209,8 +209,8 @@ TEST_CASE("sections and shadows of upright shapes are the flat shapes they are s
 TEST_CASE("a cube's section counts what is just above the plane") {
     SolidBuilder b;
     const NodeId box = b.shape(shape::Box{Vec3(0), Vec3(1)});
-    CHECK(exact_section(b, at(box))->node != kEmptyNode);
-    CHECK(exact_section(b, at(box, {0, 0, -1}))->node == kEmptyNode);
+    CHECK(exact_section(b, at(box), {})->node != kEmptyNode);
+    CHECK(exact_section(b, at(box, {0, 0, -1}), {})->node == kEmptyNode);
 }
 
 TEST_CASE("a tilted cube's shadow is a hexagon of the area that its projection has") {

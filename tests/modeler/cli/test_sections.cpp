@@ -1,31 +1,18 @@
 // test_sections.cpp — projection(cut = true) of solids that stand askew, through the program: areas in closed form, and no mesh.
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "run_program.h"
+#include "measured_area.h"
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 double rad(double degrees) { return degrees * kPi / 180; }
 
-// The area of the section, and that no mesh was needed for it.
-double area_of_section(const std::string& solid) {
-    const TemporaryFolder folder;
-    const std::string scene = folder.file("part.scad", "linear_extrude(1) projection(cut = true) " + solid);
-    const Outcome out = run_whittle({"measure", scene, "--json", "--stats", folder.name("counted.json")});
-    INFO(solid << "\n" << out.err);
-    REQUIRE(out.code == 0);
-    CHECK(contains(folder.read("counted.json"), "\"mesh.fallback\": 0"));
-    const std::string what = "\"volume\":{\"value\":";
-    const std::size_t at = out.out.find(what);
-    REQUIRE(at != std::string::npos);
-    return std::strtod(out.out.c_str() + at + what.size(), nullptr);
-}
+double area_of_section(const std::string& solid) { return measured_area("projection(cut = true) " + solid); }
 
 // Of the middle strip of an ellipse of axes 1 and `long_axis`, `half` to each side of the short axis.
 double strip_of_ellipse(double long_axis, double half) {
@@ -109,4 +96,28 @@ TEST_CASE("boxes with round edges and capsules are cut as what they are made of"
     CHECK(area_of_section("translate([0, 0, -2.6]) minkowski() { cube([4, 3, 2]); sphere(1); }") == Approx(4 * 3 + 2 * (4 + 3) * 0.8 + kPi * 0.64).epsilon(1e-4));
     CHECK(area_of_section("rotate([0, 90]) hull() { sphere(1); translate([0, 0, 5]) sphere(1); }") == Approx(10 + kPi).epsilon(1e-4));
     CHECK(area_of_section("rotate([10, 80, 20]) hull() { translate([0, 0, -9]) sphere(1); translate([0, 0, 9]) sphere(1); }") == Approx(kPi / (std::cos(rad(10)) * std::cos(rad(80)))).epsilon(1e-4));
+}
+
+TEST_CASE("a ring cut by a plane that touches it twice shows Villarceau's two circles") {
+    // Of the ring's radius, their centres two tubes apart: the ring is what is in one of them alone.
+    const double ring = 3, tube = 1, tilt = std::asin(tube / ring) * 180 / kPi;
+    const double both = 2 * ring * ring * std::acos(tube / ring) - 2 * tube * std::sqrt(ring * ring - tube * tube);
+    const std::string torus = "rotate_extrude() translate([3, 0]) circle(1);";
+    CHECK(area_of_section("translate([7, 1]) rotate([" + std::to_string(tilt) + ", 0]) " + torus) == Approx(2 * kPi * ring * ring - 2 * both).epsilon(5e-4));
+}
+
+TEST_CASE("a cone's section is a parabola or a hyperbola where the plane says so") {
+    // Of x^2 + y^2 <= (4 - z)^2, z >= 0: along z = x + 1, times the square root of two; and along y = 1.
+    CHECK(area_of_section("translate([0, 0, -1 / sqrt(2)]) rotate([0, 45]) cylinder(h = 4, r1 = 4, r2 = 0);") ==
+          Approx(std::sqrt(2.0) * 2 / 3 * 2 * std::sqrt(15.0) * 2.5).epsilon(1e-4));
+    const double w = std::sqrt(15.0);
+    CHECK(area_of_section("translate([0, 0, 1]) rotate([90, 0, 40]) cylinder(h = 4, r1 = 4, r2 = 0);") == Approx(4 * w - std::log(4 + w)).epsilon(1e-4));
+}
+
+TEST_CASE("twists that lie and what is turned, askew, are cut in their true outlines") {
+    // Through the axis of a square that turns once: as wide as the square is, seen from its middle, on the mean.
+    CHECK(area_of_section("rotate([90, 0, 0]) linear_extrude(10, twist = 360) square(2, center = true);") == Approx(20 * 4 / kPi * std::log(1 + std::sqrt(2.0))).epsilon(5e-4));
+    // A tube is a cylinder less a cylinder, however it is written.
+    const std::string tube = "rotate_extrude() translate([2, -9]) square([1, 18]);";
+    CHECK(area_of_section("rotate([35, 20, 10]) " + tube) == Approx(kPi * 5 / (std::cos(rad(35)) * std::cos(rad(20)))).epsilon(5e-4));
 }

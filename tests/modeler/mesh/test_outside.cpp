@@ -43,3 +43,27 @@ TEST_CASE("a straight roof spares a hole in its floor") {
     CHECK(open_edges(**roof) == 0);
     CHECK(signed_volume(**roof) == Approx(16).epsilon(1e-9));
 }
+
+TEST_CASE("the outline of a section is as near the true one as it says, however flat the solid meets the plane") {
+    // A ring cut by a plane that touches it twice: Villarceau's circles, of the ring's radius about centres that are a tube off its own.
+    const double ring = 3, tube = 1, up = tube / ring, across = std::sqrt(1 - up * up);
+    SolidBuilder b;
+    const NodeId torus = b.shape(shape::Torus{ring, tube});
+    const Placement tilted{{1, 0, 0, 0, 0, across, -up, 0, 0, up, across, 0}};
+    const Solid solid = b.finish(at(torus));
+    const auto outline = section_by_mesh(solid, placed(torus, tilted));
+    REQUIRE(outline);
+    CHECK(outline->contours.size() == 2);
+    CHECK(outline->deviation < 0.05);
+    double worst = 0;
+    for (const auto& ring_of_points : outline->contours)
+        for (std::size_t i = 0; i < ring_of_points.size(); ++i) {
+            const Vec2 &p = ring_of_points[i], &q = ring_of_points[(i + 1) % ring_of_points.size()];
+            for (const double share : {0.0, 0.5}) {
+                const Vec2 at = p + share * (q - p);
+                worst = std::max(worst, std::min(std::fabs(glm::length(at - Vec2(tube, 0)) - ring), std::fabs(glm::length(at + Vec2(tube, 0)) - ring)));
+            }
+        }
+    CHECK(worst > 0);
+    CHECK(worst <= outline->deviation);
+}

@@ -1,41 +1,15 @@
 // turned_test.cpp — twists and uneven tapers as true surfaces: against membership of points in 113-bit arithmetic.
 //
-// A point is inside where, turned back and unscaled, it is inside the profile; nothing is shared with the engine. Along a ray it must change between a little
-// before each end and a little behind it, by the end's own bound, and nowhere else as far as samples see.
+// A point is inside where, turned back and unscaled, it is inside the profile; nothing is shared with the engine.
 #include <functional>
 
 #include "tests/support/seed.h"
-#include "tests/tracer/engine/rays.h"
+#include "tests/tracer/engine/membership.h"
 
 using namespace whittle;
 using namespace whittle::testing;
 
 namespace {
-
-__extension__ using Quad = __float128;
-
-struct Turn {
-    Quad c = 1, s = 0;
-};
-
-// By the series of the angle halved until it is small, and doubled again.
-Turn turn_by(Quad radians) {
-    int halvings = 0;
-    while (radians > 0.25 || radians < -0.25) radians /= 2, ++halvings;
-    Quad c = 1, s = radians, even = 1, odd = radians;
-    for (int n = 2; n < 36; n += 2) {
-        even *= -radians * radians / (n * (n - 1));
-        odd *= -radians * radians / (n * (n + 1));
-        c += even;
-        s += odd;
-    }
-    while (halvings-- > 0) {
-        const Quad double_s = 2 * s * c;
-        c = 1 - 2 * s * s;
-        s = double_s;
-    }
-    return {c, s};
-}
 
 // A profile and who is in it.
 struct Outline {
@@ -107,33 +81,12 @@ constexpr std::array<Sweep, 8> kSweeps{{{0, 20, 30, {1, 1}},
                                         {3, 9, 0, {0.25, 2}},
                                         {0, 12, -75, {0, 0}}}};
 
-std::vector<std::pair<End, bool>> ends_of(const Spans& spans) {
-    std::vector<std::pair<End, bool>> ends;
-    for (const Span& s : spans) {
-        if (s.in) ends.emplace_back(*s.in, true);
-        if (s.out) ends.emplace_back(*s.out, false);
-    }
-    return ends;
-}
-
 // Where the sets differ; empty if nowhere.
 std::string difference(const Outline& profile, const Sweep& sweep, const Ray& ray, const Spans& spans, Random& random) {
     const auto at = [&](Quad t) {
         return inside_sweep(profile, sweep, Quad(ray.origin.x) + t * ray.direction.x, Quad(ray.origin.y) + t * ray.direction.y, Quad(ray.origin.z) + t * ray.direction.z);
     };
-    const auto ends = ends_of(spans);
-    for (const auto& [e, enters] : ends)
-        if (at(Quad(e.t) - e.t_error) == enters || at(Quad(e.t) + e.t_error) != enters) return "no change at " + std::to_string(e.t);
-    for (int i = 0; i < 200; ++i) {
-        const double t = random.between(0, 2);
-        bool in = !spans.empty() && !spans[0].in, near = false;
-        for (const auto& [e, enters] : ends) {
-            if (e.t <= t) in = enters;
-            near = near || std::abs(t - e.t) <= 2 * e.t_error;
-        }
-        if (!near && in != at(t)) return "otherwise at " + std::to_string(t);
-    }
-    return "";
+    return difference(at, spans, random);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// flat_outline.h — the border of a 2D solid as lines, arcs and quadratic Bezier curves, for files that know them.
+// flat_outline.h — the border of a 2D solid as lines, arcs and quadratic Bezier curves, for files that know them and for what grows or shrinks by a distance.
 //
 // Every side of every leaf is cut where it meets another; a piece is border where the set lies on one side of it only, which is asked of the set
 // itself at two points beside the piece's middle; pieces are chained with the set on their left. Curves are never chords.
@@ -35,6 +35,8 @@ struct Outline {
 
 // Outer contours counter-clockwise, holes clockwise; in an order that depends on the set alone. Requires: a 2D root.
 std::vector<Outline> outlines_of(const Solid& solid);
+// Of a 2D use, in the frame above it; the solid need not have a root.
+std::vector<Outline> outlines_of(const Solid& solid, const Use& use);
 
 struct OutlineBox { Vec2 lo{0}, hi{0}; };
 // Curves included. Requires: at least one outline.

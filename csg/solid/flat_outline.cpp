@@ -1,11 +1,11 @@
-#include "modeler/export/flat_outline.h"
+#include "csg/solid/flat_outline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "csg/solid/parabola.h"
-#include "modeler/export/flat_curves.h"
+#include "csg/solid/flat_curves.h"
 
 namespace whittle {
 namespace {
@@ -51,7 +51,7 @@ struct Piece {
 
 class Tracer {
 public:
-    explicit Tracer(const Solid& solid) : set_(solid), size_(size_of(set_)), points_(size_ * kOutlineJoin) {}
+    Tracer(const Solid& solid, const Use& use) : set_(solid, use), size_(size_of(set_)), points_(size_ * kOutlineJoin) {}
 
     std::vector<Outline> run() {
         if (!(size_ > 0)) return {};
@@ -218,9 +218,11 @@ bool OutlineSide::round() const {
 
 double OutlineSide::turn() const { return curved ? (cross(u, v) < 0 ? from - to : to - from) : 0; }
 
-std::vector<Outline> outlines_of(const Solid& solid) {
-    if (solid.root().node == kEmptyNode) return {};
-    return Tracer(solid).run();
+std::vector<Outline> outlines_of(const Solid& solid) { return outlines_of(solid, solid.root()); }
+
+std::vector<Outline> outlines_of(const Solid& solid, const Use& use) {
+    if (use.node == kEmptyNode) return {};
+    return Tracer(solid, use).run();
 }
 
 OutlineBox box_of(const std::vector<Outline>& outlines) {

@@ -1,4 +1,4 @@
-#include "modeler/export/flat_curves.h"
+#include "csg/solid/flat_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -246,7 +246,7 @@ void meetings(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vec
     ellipses(p, q, tolerance, out);
 }
 
-FlatSet::FlatSet(const Solid& solid) { root_ = add(solid, solid.root().node, solid.root().placement); }
+FlatSet::FlatSet(const Solid& solid, const Use& use) { root_ = add(solid, use.node, use.placement); }
 
 std::uint32_t FlatSet::add(const Solid& solid, NodeId id, const Placement& placement) {
     Node node{};

@@ -32,7 +32,7 @@ void meetings(const FlatCurve& p, const FlatCurve& q, double tolerance, std::vec
 
 class FlatSet {
 public:
-    explicit FlatSet(const Solid& solid);
+    FlatSet(const Solid& solid, const Use& use);
     const std::vector<FlatCurve>& curves() const { return curves_; }
     bool contains(Vec2 p) const;
 
