@@ -6,6 +6,7 @@
 #include "modeler/check/agreement.h"
 #include "tests/modeler/check/check_solids.h"
 #include "tests/modeler/check/faults.h"
+#include "tests/modeler/check/true_outlines.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/seed.h"
 
@@ -142,10 +143,10 @@ std::uint64_t agreeing_trees(std::uint64_t count, std::uint64_t first = 0) {
                                           support::Theme::kInstances, support::Theme::kChain};
     for (std::uint64_t i = first; i < first + count; ++i) {
         const support::Theme theme = kThemes[i % std::size(kThemes)];
-        const support::RandomSolid tree = support::random_solid(theme, 1 + i / std::size(kThemes));
+        const Solid tree = with_true_outlines(support::random_solid(theme, 1 + i / std::size(kThemes)).solid);
         MeshControl control;
-        const auto made = mesh_solid(tree.solid, {}, control);
-        const auto program = compile(tree.solid);
+        const auto made = mesh_solid(tree, {}, control);
+        const auto program = compile(tree);
         if (!made || !program) {
             WARN(support::name_of(theme) << " " << 1 + i / std::size(kThemes) << ": " << (made ? program.error().message : made.error().message));
             continue;
@@ -154,7 +155,7 @@ std::uint64_t agreeing_trees(std::uint64_t count, std::uint64_t first = 0) {
         options.tolerance = made->tolerance_mm;
         options.rounding = made->grid_mm;
         options.lines = 2048;
-        const auto a = check_agreement(tree.solid, **program, made->mesh, options);
+        const auto a = check_agreement(tree, **program, made->mesh, options);
         if (a && a->agree) {
             ++good;
             continue;
