@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "csg/eval/canonicaliser.h"
-#include "csg/solid/convex_body.h"
 #include "csg/solid/convex_hull.h"
 #include "csg/solid/convex_parts.h"
 #include "csg/solid/exact_hull.h"
@@ -26,6 +25,7 @@ constexpr std::size_t kMostParts = 2000;
 constexpr double kRoofTolerance = 1e-3;
 
 double size_of(const Bounds& box) { return glm::length(box.hi - box.lo); }
+double size_of_parts(const ConvexParts& parts) { return whittle::size_of(parts, middle_of(parts)); }
 
 // Outlines without their holes.
 Contours outlines_of(const Contours& contours) {
@@ -119,7 +119,11 @@ Made Canonicaliser::hulled(SceneNodeId id) {
         for (const Use& use : operands.uses)
             for (const auto& ring : outline_of(use)) points.insert(points.end(), ring.begin(), ring.end());
         auto ring = convex_hull_of(std::move(points));
-        return ring.size() < 3 ? Made{} : owned_polygon(node, {std::move(ring)});
+        if (ring.size() < 3) return {};
+        if (std::all_of(operands.uses.begin(), operands.uses.end(), [&](const Use& use) { return has_corners_only(use.node); })) return owned_polygon(node, {std::move(ring)});
+        if (const auto body = flat_body(parts_of_all(operands.uses), {ring})) return owned(node, *body);
+        fallbacks_.emplace("hull", 0).first->second++;
+        return owned_polygon(node, {std::move(ring)});
     }
     std::vector<Vec3> points;
     for (const Use& use : operands.uses) {
@@ -132,16 +136,37 @@ Made Canonicaliser::hulled(SceneNodeId id) {
     return leaf(node, shape::Polyhedron{std::make_shared<const FacetList>(std::move(*hull))});
 }
 
-// The hull of bodies that are known by how far they reach.
-std::optional<Use> Canonicaliser::convex_hull(const std::vector<Use>& operands) {
-    if (builder_.is_2d(operands[0].node)) return std::nullopt;
+std::optional<ConvexParts> Canonicaliser::parts_of_all(const std::vector<Use>& uses) const {
     ConvexParts parts;
-    for (const Use& use : operands) {
+    for (const Use& use : uses) {
         const auto own = convex_parts_of(builder_.so_far(), use);
         if (!own) return std::nullopt;
         parts.insert(parts.end(), own->begin(), own->end());
     }
-    parts = without_hidden_parts(std::move(parts));
+    return parts;
+}
+
+// In the plane the convex body of the parts is the section of the one that has them at two heights.
+std::optional<Use> Canonicaliser::flat_body(const std::optional<ConvexParts>& parts, Contours chords) {
+    constexpr std::size_t kMostFlatParts = 200;
+    if (!parts || parts->size() > kMostFlatParts) return std::nullopt;
+    const double size = size_of_parts(*parts);
+    ConvexParts both;
+    for (const double height : {-size, size})
+        for (ConvexPart part : *parts) {
+            part.centre.z = height;
+            both.push_back(std::move(part));
+        }
+    const NodeId body = builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(without_hidden_parts(std::move(both)))});
+    return use_of(builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(chords)), body, 4 * kProfileTolerance * size}));
+}
+
+// The hull of bodies that are known by how far they reach.
+std::optional<Use> Canonicaliser::convex_hull(const std::vector<Use>& operands) {
+    if (builder_.is_2d(operands[0].node)) return std::nullopt;
+    auto all = parts_of_all(operands);
+    if (!all) return std::nullopt;
+    const ConvexParts parts = without_hidden_parts(std::move(*all));
     if (parts.size() > kMostParts) return std::nullopt;
     return use_of(builder_.shape(shape::ConvexBody{std::make_shared<const ConvexHullBody>(std::move(parts))}));
 }

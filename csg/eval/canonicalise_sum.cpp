@@ -37,6 +37,15 @@ std::optional<Ball> ball_of(const SolidBuilder& builder, const Use& use) {
     return balls && balls->size() == 1 && (*balls)[0].r > 0 ? std::optional((*balls)[0]) : std::nullopt;
 }
 
+// One convex shape, so that its hull is itself.
+bool is_flat_convex(const Solid& solid, NodeId id) {
+    if (const auto* c = std::get_if<Combination>(&solid.node(id))) return c->operands.size() == 1 && is_flat_convex(solid, c->operands[0].node);
+    const auto& shape = std::get<Shape>(solid.node(id));
+    const auto* polygon = std::get_if<shape::Polygon>(&shape);
+    if (polygon) return polygon->contours->size() == 1 && convex_hull_of(polygon->contours->front()).size() == polygon->contours->front().size();
+    return std::holds_alternative<shape::Disc>(shape) || std::holds_alternative<shape::Rectangle>(shape);
+}
+
 }  // namespace
 
 bool Canonicaliser::is_convex(const Use& use) {
@@ -168,6 +177,12 @@ Result<Use> Canonicaliser::flat_sum(const Use& a, const Use& b) {
     auto sum = flat_minkowski(outline_of(a), outline_of(b), kMostPieces);
     if (!sum) return fail(Fault::kScene, "too many parts");
     if (sum->empty()) return Use{};
+    if (!has_corners_only(a.node) || !has_corners_only(b.node)) {
+        const bool convex = is_flat_convex(builder_.so_far(), a.node) && is_flat_convex(builder_.so_far(), b.node);
+        const auto p = parts_of_all({a}), q = parts_of_all({b});
+        if (const auto body = convex && p && q ? flat_body(sums_of(*p, *q), *sum) : std::nullopt) return *body;
+        fallbacks_.emplace("minkowski", 0).first->second++;
+    }
     return use_of(builder_.shape(shape::Polygon{std::make_shared<const Contours>(std::move(*sum))}));
 }
 

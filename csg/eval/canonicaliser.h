@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csg/eval/canonicalise.h"
+#include "csg/solid/convex_body.h"
 #include "csg/solid/facets.h"
 #include "csg/solid/imported.h"
 #include "csg/solid/profile.h"
@@ -116,6 +117,8 @@ private:
     Operands bare_operands(SceneNodeId id);
     std::optional<Use> convex_sum(const Use& a, const Use& b);
     std::optional<Use> convex_hull(const std::vector<Use>& operands);
+    std::optional<ConvexParts> parts_of_all(const std::vector<Use>& uses) const;
+    std::optional<Use> flat_body(const std::optional<ConvexParts>& parts, Contours chords);
     bool is_convex(const Use& use);
     Result<std::shared_ptr<const FacetList>> facets_of_use(const char* module, const Use& use);
     Contours outline_of(const Use& flat);

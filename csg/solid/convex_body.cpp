@@ -121,6 +121,7 @@ struct PartsOf {
         return true;
     }
     bool operator()(const shape::Polygon& s) {
+        if (s.section != kEmptyNode) return false;
         for (const auto& contour : *s.contours)
             for (const Vec2& p : contour) corner({p.x, p.y, 0});
         return true;
