@@ -200,8 +200,9 @@ private:
         const double tolerance = tolerance_of(first, id);
         if (w.form == WorldSurface::Form::kPlane) return planes_agree(w, surface(first), a, b, tolerance, flipped, distance);
         if (w.form == WorldSurface::Form::kTorus) {
-            if (table_.frames[s.frame].section || table_.frames[t.frame].section) return false;
-            distance = static_cast<double>(torus_distance(s, table_.frames[s.frame], t, table_.frames[t.frame]));
+            const Frame &in_s = table_.frames[s.frame], &in_t = table_.frames[t.frame];
+            if (!in_s.section != !in_t.section) return false;
+            distance = static_cast<double>(in_s.section ? section_torus_distance(s, in_s, t, in_t, a) : torus_distance(s, in_s, t, in_t));
             return distance <= tolerance;
         }
         return quadrics_agree(w, surface(first), a, b, tolerance, flipped, distance);

@@ -213,24 +213,51 @@ Point placed(const Placement& a, const Point& p) {
     return r;
 }
 
-WorldSurface world_torus(const Support& s, const Frame& frame) {
-    WorldSurface w;
-    w.form = WorldSurface::Form::kTorus;
-    w.b = placed(frame.placement, {s.p[0], s.p[1], s.p[2]});
-    Real inverse_det = 0;
-    const Rows inverse = inverse_of(frame.placement);
-    for (std::size_t j = 0; j < 3; ++j) inverse_det += inverse[0][j] * (inverse[1][(j + 1) % 3] * inverse[2][(j + 2) % 3] - inverse[1][(j + 2) % 3] * inverse[2][(j + 1) % 3]);
-    const Real stretch = 1 / std::cbrt(magnitude(inverse_det));
-    w.ring = stretch * Real(s.p[3]);
-    w.tube = stretch * Real(s.p[4]);
-    return w;
-}
-
 // Spread evenly and on no symmetry plane: k times an irrational slope, less its whole part, in [-1, 1).
 Real spread(int k, std::size_t i) {
     const Real slope = i == 0 ? 0.8191725133961645L : i == 1 ? 0.6710436067037893L : 0.5497004779019703L;
     const Real turn = (k + 1) * slope;
     return 2 * (turn - std::floor(turn)) - 1;
+}
+
+// How many units of the root frame one of the frame is, on the mean over the axes.
+Real mean_stretch(const Frame& frame) {
+    const Rows inverse = inverse_of(frame.placement);
+    Real inverse_det = 0;
+    for (std::size_t j = 0; j < 3; ++j) inverse_det += inverse[0][j] * (inverse[1][(j + 1) % 3] * inverse[2][(j + 2) % 3] - inverse[1][(j + 2) % 3] * inverse[2][(j + 1) % 3]);
+    const Real own = 1 / std::cbrt(magnitude(inverse_det));
+    return frame.section ? own * mean_stretch(frame.section->frame) : own;
+}
+
+// How far outside of the torus's outer sheet a point of its frame is.
+Real off_torus(const Support& s, const Point& p) {
+    const std::size_t u = (s.axis + 1u) % 3, v = (s.axis + 2u) % 3;
+    const Real x = p[u] - s.p[u], y = p[v] - s.p[v], z = p[s.axis] - s.p[s.axis], beyond = std::sqrt(x * x + y * y) - s.p[3];
+    return std::sqrt(beyond * beyond + z * z) - s.p[4];
+}
+
+// The same of a point of the root frame, in its units.
+Real off_placed_torus(const Support& s, const Frame& frame, const WayIn& way, Point x) {
+    for (std::size_t i = 0; i < 3; ++i) x[i] -= way.entry[i];
+    Point local = product(way.linear, x);
+    for (std::size_t i = 0; i < 3; ++i) local[i] += way.lift[i];
+    return off_torus(s, local) * mean_stretch(frame);
+}
+
+WorldSurface world_torus(const Support& s, const Frame& frame) {
+    WorldSurface w;
+    w.form = WorldSurface::Form::kTorus;
+    const Real stretch = mean_stretch(frame);
+    w.ring = stretch * Real(s.p[3]);
+    w.tube = stretch * Real(s.p[4]);
+    if (!frame.section) {
+        w.b = placed(frame.placement, {s.p[0], s.p[1], s.p[2]});
+        return w;
+    }
+    // Of a section there is no centre: how far three places are from it.
+    const WayIn way = way_into(frame);
+    for (int k = 0; k < 3; ++k) w.b[static_cast<std::size_t>(k)] = off_placed_torus(s, frame, way, {spread(k, 0), spread(k, 1), spread(k, 2)});
+    return w;
 }
 
 // On the outer sheet of the torus, in the root frame.
@@ -307,6 +334,21 @@ Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const
         worst = std::max(worst, magnitude(std::sqrt(beyond * beyond + x[b.axis] * x[b.axis]) - b.p[4]));
     }
     return worst * std::sqrt(stretch2);
+}
+
+Real section_torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b, const Bounds& box) {
+    constexpr int kPoints = 24;
+    const WayIn p = way_into(in_a), q = way_into(in_b);
+    Real worst = 0;
+    for (int k = 0; k < kPoints; ++k) {
+        Point x;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double lo = box.lo[static_cast<int>(i)], hi = box.hi[static_cast<int>(i)];
+            x[i] = 0.5L * (Real(lo) + hi) + 0.5L * (Real(hi) - lo) * spread(k, i);
+        }
+        worst = std::max(worst, magnitude(off_placed_torus(a, in_a, p, x) - off_placed_torus(b, in_b, q, x)));
+    }
+    return worst;
 }
 
 QuadricForm normalised(const WorldSurface& w, const Vec3& centre, double extent, bool& flipped) {

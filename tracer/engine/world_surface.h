@@ -17,7 +17,7 @@ inline Real magnitude(Real x) { return x < 0 ? -x : x; }
 struct WorldSurface {
     enum class Form : std::uint8_t { kPlane, kQuadric, kTorus } form = Form::kPlane;
     std::array<Real, 6> m{};  // xx yy zz xy xz yz
-    std::array<Real, 3> b{};  // a plane's normal; a torus's centre
+    std::array<Real, 3> b{};  // a plane's normal; a torus's centre, of a section's how far three places are from it
     Real c = 0;               // plane: b.x + c = 0
     Real ring = 0, tube = 0;  // a torus's, times the mean stretch of its frame
 };
@@ -33,6 +33,9 @@ QuadricForm normalised(const WorldSurface& w, const Vec3& centre, double extent,
 // How far points of the first torus are, in the root frame, from the second: at most, over a spread of points that tells any two tori apart, however
 // their frames turn, stretch or shear them.
 Real torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b);
+
+// The same of tori whose sections the frames hold: how much the distances from the two differ, over a spread of points of the box.
+Real section_torus_distance(const Support& a, const Frame& in_a, const Support& b, const Frame& in_b, const Bounds& box);
 
 // How far the second quadric is from points of the first, in and about the box [-half, half] whose largest half is 0.5. 1, more than any tolerance, where
 // the coefficients are plainly different or hardly any point of the first was found there.

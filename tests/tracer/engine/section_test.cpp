@@ -183,3 +183,24 @@ TEST_CASE("where a face lies in the section's plane, what is just above counts")
     CHECK_FALSE(meets(-1, 0));
     CHECK(meets(-1, 0x1p-40));
 }
+
+TEST_CASE("a ring's section less the same, placed in other words, is nothing") {
+    Random random(7);
+    Scratch scratch;
+    SolidBuilder b;
+    const Use ring = use(b.shape(shape::Torus{3, 1}), kStands[0]);
+    auto contours = std::make_shared<const std::vector<std::vector<Vec2>>>(std::vector<std::vector<Vec2>>{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}});
+    const NodeId tube = b.shape(shape::Extrusion{b.shape(shape::Polygon{contours, b.combine(SetOp::kUnion, {ring})}), 0, kHeight, 0, Vec2(1), 0});
+    const NodeId half = b.combine(SetOp::kUnion, {use(tube, turned_about_z(30))});
+    const Use once = use(tube, turned_about_z(60)), twice = use(b.combine(SetOp::kUnion, {use(half, turned_about_z(30))}));
+    const auto nothing = compiled(b.finish(use(b.combine(SetOp::kDifference, {once, twice}))));
+    const Swept whole = swept(0, kStands[0], turned_about_z(60));
+    const auto something = compiled(whole.solid);
+    int met = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Ray ray = random.ray_through(program_bounds(*something));
+        met += any_hit(*something, ray, HUGE_VAL, scratch);
+        CHECK_FALSE(any_hit(*nothing, ray, HUGE_VAL, scratch));
+    }
+    CHECK(met > 100);
+}
