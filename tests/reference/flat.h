@@ -26,7 +26,7 @@ public:
     // Parity of the edges that the half-line towards +x crosses.
     ExpressionId operator()(const shape::Polygon& s) {
         if constexpr (std::is_same_v<Number, Form>)
-            if (s.section != kEmptyNode) return solid_formula(f_, solid_, s.section, {p_.x, p_.y, Form(), p_.w});
+            if (s.section != kEmptyNode) return solid_formula(f_, solid_, s.section, {p_.x, p_.y, Form::infinitesimal(), p_.w});
         std::vector<ExpressionId> crossed;
         for (const auto& contour : *s.contours)
             for (std::size_t i = 0; i < contour.size(); ++i) {

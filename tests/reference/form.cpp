@@ -8,7 +8,7 @@ namespace whittle::reference {
 
 Form Form::variable(int axis) {
     Form f;
-    Monomial m{0, 0, 0};
+    Monomial m{};
     m[static_cast<std::size_t>(axis)] = 1;
     f.add(m, Dyadic(1.0));
     return f;
@@ -20,6 +20,15 @@ void Form::add(const Monomial& monomial, const Dyadic& coefficient) {
     if (fresh) return;
     at->second += coefficient;
     if (at->second.is_zero()) terms_.erase(at);
+}
+
+Form Form::leading() const {
+    int least = terms_.empty() ? 0 : terms_.begin()->first[3];
+    for (const auto& [m, c] : terms_) least = std::min(least, m[3]);
+    Form r;
+    for (const auto& [m, c] : terms_)
+        if (m[3] == least) r.add({m[0], m[1], m[2], 0}, c);
+    return r;
 }
 
 int Form::degree() const {
@@ -41,7 +50,7 @@ Form operator-(Form a, const Form& b) {
 Form operator*(const Form& a, const Form& b) {
     Form r;
     for (const auto& [m, c] : a.terms_)
-        for (const auto& [n, d] : b.terms_) r.add({m[0] + n[0], m[1] + n[1], m[2] + n[2]}, c * d);
+        for (const auto& [n, d] : b.terms_) r.add({m[0] + n[0], m[1] + n[1], m[2] + n[2], m[3] + n[3]}, c * d);
     return r;
 }
 

@@ -12,21 +12,24 @@
 
 namespace whittle::reference {
 
-// Exponents of x, y, z.
-using Monomial = std::array<int, 3>;
+// Exponents of x, y, z, and of e: positive, and less than any number. A section is the solid at the height e.
+using Monomial = std::array<int, 4>;
 
 class Form {
 public:
     Form() = default;
-    Form(Dyadic constant) { add({0, 0, 0}, constant); }
+    Form(Dyadic constant) { add({}, constant); }
     Form(double constant) : Form(Dyadic(constant)) {}
     static Form variable(int axis);
+    static Form infinitesimal() { return variable(3); }
 
     const std::map<Monomial, Dyadic>& terms() const { return terms_; }
     void add(const Monomial& monomial, const Dyadic& coefficient);
     bool is_zero() const { return terms_.empty(); }
-    bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Monomial{0, 0, 0}); }
+    bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Monomial{}); }
     int degree() const;
+    // A form without e that has the same sign wherever it is not zero: the terms of the lowest power of e.
+    Form leading() const;
     Form operator-() const { return Form() - *this; }
     friend Form operator+(Form a, const Form& b);
     friend Form operator-(Form a, const Form& b);

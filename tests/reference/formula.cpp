@@ -63,7 +63,8 @@ std::uint32_t Formulas::support(const Form& f, bool& flipped) {
     return at->second;
 }
 
-ExpressionId Formulas::negative(const Form& f) {
+ExpressionId Formulas::negative(const Form& form) {
+    const Form f = form.leading();
     if (f.is_constant()) return !f.is_zero() && f.terms().begin()->second.sign() < 0 ? always() : never();
     bool flipped = false;
     const std::uint32_t at = support(f, flipped);

@@ -25,6 +25,7 @@ public:
     Formulas();
     ExpressionId never() const { return 0; }
     ExpressionId always() const { return 1; }
+    // Where f is negative; with e in it, for every e small enough.
     ExpressionId negative(const Form& f);
     // The support of f; `flipped` where f is negative on its positive side. Requires: f is not constant.
     std::uint32_t support(const Form& f, bool& flipped);

@@ -6,6 +6,7 @@
 #include "tests/stress/lowered.h"
 #include "tests/support/reduce.h"
 #include "tests/support/seed.h"
+#include "tests/support/use.h"
 #include "tracer/engine/lower.h"
 
 using namespace whittle;
@@ -67,4 +68,24 @@ TEST_CASE("lowering keeps the solid") {
     INFO(tally.pairs << " pairs, " << tally.borders << " borders, " << tally.masked << " masked");
     CHECK(tally.borders > tally.pairs / 4);
     CHECK(tally.masked * 10 < tally.pairs);
+}
+
+TEST_CASE("a section in a face of its solid is what is just above it, also to the reference") {
+    const auto outlined = [](std::vector<Vec2> contour, NodeId section = kEmptyNode) {
+        shape::Polygon p;
+        p.contours = std::make_shared<std::vector<std::vector<Vec2>>>(1, std::move(contour));
+        p.section = section;
+        p.deviation = section == kEmptyNode ? 0 : 0x1p-40;
+        return p;
+    };
+    SolidBuilder b;
+    const NodeId wedge = b.shape(shape::Revolution{b.shape(outlined({{0, 0}, {2, 0}, {2, 1.5}, {0, 3}})), 90, 45, 0});
+    const NodeId standing = b.combine(SetOp::kUnion, {use(wedge, Placement{{0, 1, 0, 0, 0, 0, -1, 0, -1, 0, 0, 0}})});
+    const NodeId plate = b.shape(shape::Extrusion{b.shape(outlined({{0, 0}, {0, -3}, {2, -1.5}, {2, 0}}, standing)), 0, 1.75, 0, {1, 1}, 0});
+    const Solid solid = b.finish(use(plate));
+    Ray ray;
+    ray.origin = {2, -2.25, 1.75};
+    ray.direction = {-1.9, 3, -2.6};
+    CHECK(lowering_fault(solid, ray, 3) == "");
+    CHECK(reference::Evaluator(solid).borders(ray).borders.size() == 2);
 }
