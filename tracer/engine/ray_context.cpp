@@ -160,7 +160,7 @@ void RayContext::find_turned(ClassId id, const Support& s, Crossings& out) {
         piece.stamp = stamp_;
         piece.in_double = turned_series(*frame(s.frame).twist, local, piece.series);
     }
-    if (piece.in_double && series_crossings(s, *frame(s.frame).twist, piece.series, leaves(id), out)) return;
+    if (piece.in_double && series_crossings(s, *frame(s.frame).twist, piece.series, frame_ray(s.frame), leaves(id), out)) return;
     ++counters_->escalated_double_double;
     if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
     if (!is_transcendental(id)) {

@@ -37,23 +37,7 @@ public:
 
     template <std::size_t K = 1>
     Taylor<N, K> at(const N& t) const {
-        using T = Taylor<N, K>;
-        std::array<T, 3> x;
-        for (std::size_t i = 0; i < 3; ++i) x[i] = {o_[i] + t * d_[i], d_[i]};
-        T cosine(N(1.0)), sine;
-        if (twist_.degrees != 0) {
-            N c, s;
-            if (!turned::turn(rate_ * (x[2].c[0] - N(twist_.z0)), c, s)) return {};
-            // The derivatives go around: -s, -c, s, c.
-            const N speed = rate_ * d_[2];
-            N power(1.0);
-            for (std::size_t k = 0; k <= K; ++k) {
-                cosine.c[k] = power * (k % 4 == 0 ? c : k % 4 == 1 ? -s : k % 4 == 2 ? -c : s);
-                sine.c[k] = power * (k % 4 == 0 ? s : k % 4 == 1 ? c : k % 4 == 2 ? -s : -c);
-                power = power * speed / N(static_cast<double>(k + 1));
-            }
-        }
-        T r = turned::function(support_, twist_, x, cosine, sine);
+        Taylor<N, K> r = turned::on_line<K>(support_, twist_, rate_, o_, d_, t);
         if (leaving_) r.c[0] = r.c[0] - constant_;
         return r;
     }

@@ -167,9 +167,29 @@ double plain_value_at(const Series& f, double q) {
     return v;
 }
 
+// A side on a ray of its frame, place by place.
+class SideOnRay {
+public:
+    SideOnRay(const Support& support, const Twist& twist, const FrameRay& ray) : support_(support), twist_(twist) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            o_[i] = Near::within(ray.o[i], ray.eo[i]);
+            d_[i] = Near::within(ray.d[i], ray.ed[i]);
+        }
+        if (twist.degrees != 0) rate_ = turned::rate<Near>(twist);
+    }
+
+    Near at(double t) const { return turned::on_line<0>(support_, twist_, rate_, o_, d_, Near(t)).c[0]; }
+
+private:
+    const Support& support_;
+    const Twist& twist_;
+    std::array<Near, 3> o_, d_;
+    Near rate_;
+};
+
 class SeriesRoots {
 public:
-    SeriesRoots(const TurnedSeries& window, Crossings& out) : window_(window), out_(out) {}
+    SeriesRoots(const TurnedSeries& window, const SideOnRay& side, Crossings& out) : window_(window), side_(side), out_(out) {}
 
     // `leaving`: t = 0 is a root.
     bool find(Series f, bool leaving) {
@@ -261,12 +281,30 @@ private:
             const double s = p.at + p.half * q;
             t = window_.middle + window_.half * s;
             error = (window_.half * (p.half * room + 2 * u * (1 + p.cuts)) + 2 * u * (std::abs(window_.middle) + window_.half)) * kRoom;
-            return std::isfinite(t) && std::isfinite(error);
+            if (!std::isfinite(t) || !std::isfinite(error)) return false;
+            sharpen(p, q, t, error);
+            return true;
         }
         return false;
     }
 
+    // One step of Newton's method from the function's value at t itself: the series bounds what is rounded in the whole window, this what is at one place. With
+    // the root r, f(t) = f'(x) (t - r) for an x between, and the series bounds the slope there.
+    void sharpen(const Part& p, double q, double& t, double& error) const {
+        const double unit = window_.half * p.half, size = p.f.steepness(), slope = value_at(p.f, q).slope;
+        const double unsure = p.f.slope_error + (2 * kEvaluation + Series::kTerms * error / unit + 0x1p-44) * size, least = std::abs(slope) - unsure;
+        Near f = side_.at(t);
+        if (origin_ != kNowhere) f = f - side_.at(0);
+        if (!(least > 0) || f.is_zero()) return;
+        const double step = f.high() / slope * unit, next = t - step;
+        const double sharp = (f.error() / least * unit + std::abs(step) * (unsure / least + 4 * u) + u * std::abs(next)) * kRoom;
+        if (!(sharp < error) || !(std::abs(step) <= error)) return;
+        t = next;
+        error = sharp;
+    }
+
     const TurnedSeries& window_;
+    const SideOnRay& side_;
     Crossings& out_;
     double origin_ = kNowhere;
     std::size_t parts_ = 0;
@@ -274,13 +312,13 @@ private:
 
 }  // namespace
 
-bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, bool leaving, Crossings& out) {
+bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, const FrameRay& ray, bool leaving, Crossings& out) {
     if (series.window.empty) {
         out.count = 0;
         out.first_sign = static_cast<std::int8_t>(sign_out_of_reach(support, twist));
         return true;
     }
-    return SeriesRoots(series, out).find(turned::curve(support, series.x, series.y, series.unit), leaving);
+    return SeriesRoots(series, SideOnRay(support, twist, ray), out).find(turned::curve(support, series.x, series.y, series.unit), leaving);
 }
 
 }  // namespace whittle

@@ -51,7 +51,7 @@ struct TurnedSeries {
 // False: out of proportion to double.
 bool turned_series(const Twist& twist, const FrameRay& ray, TurnedSeries& out);
 
-// The crossings of one side of the piece, as roots.h promises. False: double cannot tell.
-bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, bool leaving, Crossings& out);
+// The crossings of one side of the piece with the ray that the series are of, as roots.h promises. False: double cannot tell.
+bool series_crossings(const Support& support, const Twist& twist, const TurnedSeries& series, const FrameRay& ray, bool leaving, Crossings& out);
 
 }  // namespace whittle
