@@ -11,7 +11,7 @@ namespace {
 
 constexpr double u = kUnitRoundoff;
 constexpr double kRoom = 1 + 0x1p-40;
-constexpr std::size_t kTurningTerms = 14;   // of sine and cosine: times a polynomial of degree two they fit
+constexpr std::size_t kTurningTerms = 14;   // of sine and cosine, at most: times a polynomial of degree two they fit
 constexpr double kMostSwing = 0.5;          // of the angle, in radians
 constexpr std::size_t kMostParts = 64;
 constexpr double kLeastPart = 0x1p-36;      // of the window
@@ -98,16 +98,17 @@ void turning(const Near& c, const Near& s, const Near& swing, Series& cosine, Se
     const std::array<double, 4> round{c.high(), -s.high(), -c.high(), s.high()};
     const double x = swing.high();
     double power = 1;
-    for (std::size_t k = 0; k < kTurningTerms; ++k) {
+    std::size_t k = 0;
+    for (; k < kTurningTerms && (k < 4 || std::abs(power) > 0x1p-60); ++k) {
         cosine.c[k] = power * round[k % 4];
         sine.c[k] = power * round[(k + 3) % 4];
         power *= x / static_cast<double>(k + 1);
     }
-    cosine.degree = sine.degree = x == 0 ? 0 : kTurningTerms - 1;
-    // Sums of |x|^k / k! and of k |x|^k / k! are at most 1.65 and 0.83; those of the terms left out 1.04 and 1.04 * 14 times the first.
-    const double left_out = 1.5 * 1.04 * std::abs(power), given = 1.65 * (c.error() + s.error()) + 1.65 * 1.5 * swing.error(), rounded = x == 0 ? 0 : 16 * u;
+    cosine.degree = sine.degree = x == 0 ? 0 : k - 1;
+    // Sums of |x|^k / k! and of k |x|^k / k! are at most 1.65 and 0.83; those of the terms left out, from the fourth or later, 1.15 and 1.15 k times the first.
+    const double left_out = 1.5 * 1.15 * std::abs(power), given = 1.65 * (c.error() + s.error()) + 1.65 * 1.5 * swing.error(), rounded = x == 0 ? 0 : 16 * u;
     cosine.error = sine.error = given + rounded + left_out;
-    cosine.slope_error = sine.slope_error = 2 * (given + rounded) + static_cast<double>(kTurningTerms) * left_out;
+    cosine.slope_error = sine.slope_error = 2 * (given + rounded) + static_cast<double>(k) * left_out;
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ bool turned_series(const Twist& twist, const FrameRay& ray, TurnedSeries& out) {
     }
     Series cosine(Near(1.0)), sine;
     if (twist.degrees != 0) {
-        const Near rate = turned::rate<Near>(twist), swing = rate * Near::within(x[2].c[1], x[2].slope_error);
+        const Near rate = out.rate = turned::rate<Near>(twist), swing = rate * Near::within(x[2].c[1], x[2].slope_error);
         Near c, s;
         if (!(std::abs(swing.high()) <= kMostSwing) || !turned::turn(rate * (Near::within(x[2].c[0], x[2].error) - Near(twist.z0)), c, s)) return false;
         turning(c, s, swing, cosine, sine);
@@ -168,28 +169,25 @@ double plain_value_at(const Series& f, double q) {
 }
 
 // A side on a ray of its frame, place by place.
-class SideOnRay {
-public:
-    SideOnRay(const Support& support, const Twist& twist, const FrameRay& ray) : support_(support), twist_(twist) {
+struct SideOnRay {
+    const Support& support;
+    const Twist& twist;
+    const FrameRay& ray;
+    const Near& rate;
+
+    Near at(double t) const {
+        std::array<Near, 3> o, d;
         for (std::size_t i = 0; i < 3; ++i) {
-            o_[i] = Near::within(ray.o[i], ray.eo[i]);
-            d_[i] = Near::within(ray.d[i], ray.ed[i]);
+            o[i] = Near::within(ray.o[i], ray.eo[i]);
+            d[i] = Near::within(ray.d[i], ray.ed[i]);
         }
-        if (twist.degrees != 0) rate_ = turned::rate<Near>(twist);
+        return turned::on_line<0>(support, twist, rate, o, d, Near(t)).c[0];
     }
-
-    Near at(double t) const { return turned::on_line<0>(support_, twist_, rate_, o_, d_, Near(t)).c[0]; }
-
-private:
-    const Support& support_;
-    const Twist& twist_;
-    std::array<Near, 3> o_, d_;
-    Near rate_;
 };
 
 class SeriesRoots {
 public:
-    SeriesRoots(const TurnedSeries& window, const SideOnRay& side, Crossings& out) : window_(window), side_(side), out_(out) {}
+    SeriesRoots(const TurnedSeries& window, SideOnRay side, Crossings& out) : window_(window), side_(side), out_(out) {}
 
     // `leaving`: t = 0 is a root.
     bool find(Series f, bool leaving) {
@@ -304,7 +302,7 @@ private:
     }
 
     const TurnedSeries& window_;
-    const SideOnRay& side_;
+    const SideOnRay side_;
     Crossings& out_;
     double origin_ = kNowhere;
     std::size_t parts_ = 0;
@@ -318,7 +316,7 @@ bool series_crossings(const Support& support, const Twist& twist, const TurnedSe
         out.first_sign = static_cast<std::int8_t>(sign_out_of_reach(support, twist));
         return true;
     }
-    return SeriesRoots(series, SideOnRay(support, twist, ray), out).find(turned::curve(support, series.x, series.y, series.unit), leaving);
+    return SeriesRoots(series, {support, twist, ray, series.rate}, out).find(turned::curve(support, series.x, series.y, series.unit), leaving);
 }
 
 }  // namespace whittle

@@ -45,6 +45,7 @@ public:
 struct TurnedSeries {
     TurnedWindow window;
     double middle = 0, half = 0;
+    Near rate;  // of turning, if it turns
     Series x, y, unit;
 };
 
