@@ -8,35 +8,37 @@ namespace whittle {
 
 CameraSampler::CameraSampler(const Stage& stage, RenderCounters& counters) : stage_(stage), counters_(counters) {}
 
-void CameraSampler::draw(std::span<const PixelPlace> pixels, int index) {
-    assert(pixels.size() <= lanes::kMost);
-    samples_.resize(pixels.size());
-    rays_.resize(pixels.size());
-    draw_places(pixels, index);
+void CameraSampler::draw(std::span<const SampleWanted> wanted) {
+    assert(wanted.size() <= lanes::kMost);
+    samples_.resize(wanted.size());
+    rays_.resize(wanted.size());
+    draw_places(wanted);
     draw_rays();
-    if (stage_.distributes()) counters_.draws += (static_cast<std::uint64_t>(stage_.needs.lens) + static_cast<std::uint64_t>(stage_.needs.shutter)) * pixels.size();
+    if (stage_.distributes()) counters_.draws += (static_cast<std::uint64_t>(stage_.needs.lens) + static_cast<std::uint64_t>(stage_.needs.shutter)) * wanted.size();
 }
 
-void CameraSampler::draw_places(std::span<const PixelPlace> pixels, int index) {
-    const std::size_t count = pixels.size();
-    const auto number = static_cast<std::uint32_t>(index);
+void CameraSampler::draw_places(std::span<const SampleWanted> wanted) {
+    const std::size_t count = wanted.size();
     const Sequence sequence = stage_.options.sequence();
-    for (std::size_t k = 0; k < count; ++k) x_[k] = static_cast<std::uint32_t>(pixels[k].x), y_[k] = static_cast<std::uint32_t>(pixels[k].y);
+    for (std::size_t k = 0; k < count; ++k) {
+        x_[k] = static_cast<std::uint32_t>(wanted[k].pixel.x), y_[k] = static_cast<std::uint32_t>(wanted[k].pixel.y);
+        indices_[k] = static_cast<std::uint32_t>(wanted[k].index);
+    }
     lanes::keys_of(stage_.options.seed, x_.data(), y_.data(), count, keys_.data());
     // A single sample stands in the middle, so that the picture is the one the planes show.
     const bool spread = stage_.options.samples > 1;
     if (spread) {
-        lanes::pairs_of(keys_.data(), count, number, {Draw::kPixel}, u_.data(), v_.data(), sequence);
+        lanes::pairs_of(keys_.data(), indices_.data(), count, {Draw::kPixel}, u_.data(), v_.data(), sequence);
         lanes::places_of(stage_.filter.table(), u_.data(), count, px_.data(), weights_x_.data());
         lanes::places_of(stage_.filter.table(), v_.data(), count, py_.data(), weights_y_.data());
     }
     for (std::size_t k = 0; k < count; ++k) {
         CameraSample& s = samples_[k];
-        s.x = pixels[k].x, s.y = pixels[k].y;
+        s.x = wanted[k].pixel.x, s.y = wanted[k].pixel.y;
         s.px = s.x + 0.5 + (spread ? px_[k] : 0), s.py = s.y + 0.5 + (spread ? py_[k] : 0);
         s.weight = spread ? weights_x_[k] * weights_y_[k] : 1;
         s.height = picture_height(stage_, s.py);
-        s.sampler = Sampler(keys_[k], number, sequence);
+        s.sampler = Sampler(keys_[k], indices_[k], sequence);
     }
 }
 

@@ -19,19 +19,24 @@ struct CameraSample {
     Ray ray;
 };
 
+struct SampleWanted {
+    PixelPlace pixel;
+    int index = 0;
+};
+
 class CameraSampler {
 public:
     CameraSampler(const Stage& stage, RenderCounters& counters);
 
-    // Sample `index` of each pixel, of which there are at most lanes::kMost; through the stage's lens, at times within its shutter.
-    void draw(std::span<const PixelPlace> pixels, int index);
+    // The samples asked for, of which there are at most lanes::kMost; through the stage's lens, at times within its shutter.
+    void draw(std::span<const SampleWanted> wanted);
 
     // Those drawn last, and their rays once more, side by side.
     const std::vector<CameraSample>& samples() const { return samples_; }
     const std::vector<Ray>& rays() const { return rays_; }
 
 private:
-    void draw_places(std::span<const PixelPlace> pixels, int index);
+    void draw_places(std::span<const SampleWanted> wanted);
     void draw_rays();
     double time_of(const CameraSample& sample) const;
 
@@ -39,7 +44,7 @@ private:
     RenderCounters& counters_;
     std::vector<CameraSample> samples_;
     std::vector<Ray> rays_;
-    lanes::Row<std::uint32_t> x_, y_, keys_, u_, v_;
+    lanes::Row<std::uint32_t> x_, y_, keys_, indices_, u_, v_;
     lanes::Row<double> px_, py_, weights_x_, weights_y_, ray_x_, ray_y_, ray_z_;
 };
 

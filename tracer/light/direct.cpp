@@ -61,9 +61,9 @@ void DirectLight::sample_many(std::size_t number, const Vec3* points, const Samp
         return;
     }
     counters_.draws += count;
-    lanes::Row<std::uint32_t> keys, u, v;
-    for (std::size_t k = 0; k < count; ++k) keys[k] = samplers[k].key();
-    lanes::pairs_of(keys.data(), count, samplers[0].index(), *draw, u.data(), v.data(), samplers[0].sequence());
+    lanes::Row<std::uint32_t> keys, indices, u, v;
+    for (std::size_t k = 0; k < count; ++k) keys[k] = samplers[k].key(), indices[k] = samplers[k].index();
+    lanes::pairs_of(keys.data(), indices.data(), count, *draw, u.data(), v.data(), samplers[0].sequence());
     sample_light(lamp, points, u.data(), v.data(), count, samples);
 }
 

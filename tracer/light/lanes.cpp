@@ -24,15 +24,15 @@ void keys_of(std::uint64_t seed, const std::uint32_t* x, const std::uint32_t* y,
     HWY_DYNAMIC_DISPATCH(keys)(Sampler::folded(seed), x, y, count, out);
 }
 
-void pairs_of(const std::uint32_t* keys, std::size_t count, std::uint32_t index, const PairOf& draw, std::uint32_t* u, std::uint32_t* v, Sequence sequence) {
+void pairs_of(const std::uint32_t* keys, const std::uint32_t* indices, std::size_t count, const PairOf& draw, std::uint32_t* u, std::uint32_t* v, Sequence sequence) {
     if (sequence.kind != SamplerKind::kSobol) {
         for (std::size_t k = 0; k < count; ++k) {
-            const std::array<std::uint32_t, 2> pair = Sampler(keys[k], index, sequence).unlike_sobol(draw);
+            const std::array<std::uint32_t, 2> pair = Sampler(keys[k], indices[k], sequence).unlike_sobol(draw);
             u[k] = pair[0], v[k] = pair[1];
         }
         return;
     }
-    HWY_DYNAMIC_DISPATCH(pairs)(keys, count, draw.which(), index * draw.parts + draw.part, u, v);
+    HWY_DYNAMIC_DISPATCH(pairs)(keys, indices, count, draw.which(), draw.parts, draw.part, u, v);
 }
 
 void places_of(const FilterSampler::Table& table, const std::uint32_t* u, std::size_t count, double* offsets, double* weights) {

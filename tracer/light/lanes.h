@@ -21,8 +21,8 @@ struct alignas(64) Row : std::array<T, kMost> {};
 // Sampler::key() of pixels (x[k], y[k]).
 void keys_of(std::uint64_t seed, const std::uint32_t* x, const std::uint32_t* y, std::size_t count, std::uint32_t* keys);
 
-// 2^32 times Sampler(key, index, sequence).pair(draw) of each key. Sobol's pairs are drawn side by side, others one by one.
-void pairs_of(const std::uint32_t* keys, std::size_t count, std::uint32_t index, const PairOf& draw, std::uint32_t* u, std::uint32_t* v, Sequence sequence = {});
+// 2^32 times Sampler(key, index, sequence).pair(draw) of each key and index. Sobol's pairs are drawn side by side, others one by one.
+void pairs_of(const std::uint32_t* keys, const std::uint32_t* indices, std::size_t count, const PairOf& draw, std::uint32_t* u, std::uint32_t* v, Sequence sequence = {});
 
 // FilterSampler::place() of one coordinate: offsets and weights.
 void places_of(const FilterSampler::Table& table, const std::uint32_t* u, std::size_t count, double* offsets, double* weights);

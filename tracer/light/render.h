@@ -129,6 +129,9 @@ class Stage;
 // kCommand: a camera of neither 6 nor 7 numbers, options out of range, an integrator that is not there.
 Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> program, const RenderScene& scene, const RenderOptions& options);
 
+// Numbers of samples of the pixels of a tile, row by row of 16.
+using TileSamples = std::array<int, 256>;
+
 // The pure function from (stage, tile, samples) to pixels, and the memory that it works in. One a thread.
 class TileDrawer {
 public:
@@ -138,9 +141,9 @@ public:
     TileDrawer(const TileDrawer&) = delete;
     TileDrawer& operator=(const TileDrawer&) = delete;
 
-    // Adds samples begin <= i < end to the pixels of `tile`, `begin` being its 4 x 4 block's (blocks.h), and its planes where that is 0. `film` is touched
+    // Adds samples begin <= i < end to the pixels of `tile`, `begin` being the pixel's own, and its planes where that is 0. `film` is touched
     // in `tile` only. Returns false where `abort` became true: the tile is then as it was.
-    bool draw(TileRegion tile, const std::array<int, 16>& begins, int end, Film& film, const std::atomic<bool>* abort = nullptr);
+    bool draw(TileRegion tile, const TileSamples& begins, int end, Film& film, const std::atomic<bool>* abort = nullptr);
 
 private:
     class Work;

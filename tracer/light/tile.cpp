@@ -1,7 +1,7 @@
 // tile.cpp — the pure function from (stage, tile, samples) to pixels.
 //
-// All pixels of a tile draw a sample together: their camera rays meet the solid as packets, in the order of 4 x 4 blocks, then each is shaded alone. A
-// pixel takes its samples by their numbers all the same, so the bits are those of one pixel after the other.
+// The pixels of a tile draw their samples together: camera rays meet the solid as packets, in the order of 4 x 4 blocks, then each is shaded alone. Where few
+// pixels draw, several samples of each fill a packet. A pixel takes its samples by their numbers all the same, so the bits are those of one pixel after the other.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 #include <sleef.h>
 
 #include "tracer/image/tone.h"
-#include "tracer/light/blocks.h"
+#include "tracer/light/busy.h"
 #include "tracer/light/camera_samples.h"
 #include "tracer/light/edges.h"
 #include "tracer/light/integrator.h"
@@ -44,16 +44,20 @@ void add_sample(const CameraLight& light, double weight, PixelSums& sums) {
 
 double work_done(const Scratch& scratch) { return static_cast<double>(scratch.counters.primitive_tests); }
 
-// Those of blocks that go on from `begin`.
-std::vector<PixelPlace> pixels_of(TileRegion tile, const BlockSamples& begins, int begin) {
-    std::vector<PixelPlace> pixels;
-    for (std::size_t b = 0; b < begins.size(); ++b) {
-        if (begins[b] != begin) continue;
-        const TileRegion block = block_in(tile, static_cast<int>(b));
-        for (int y = block.y; y < block.y + block.height; ++y)
-            for (int x = block.x; x < block.x + block.width; ++x) pixels.push_back({x, y});
-    }
-    return pixels;
+// Pixels of a tile that go on, from a sample of their own.
+struct GoingOn {
+    PixelPlace pixel;
+    int begin = 0;
+};
+
+// Calls visit(x, y) in the tile by blocks of 4 x 4, of which each fills whole packets.
+template <class Visit>
+void each_by_blocks(TileRegion tile, Visit visit) {
+    constexpr int kSide = 4;
+    for (int by = 0; by < tile.height; by += kSide)
+        for (int bx = 0; bx < tile.width; bx += kSide)
+            for (int y = by; y < std::min(by + kSide, tile.height); ++y)
+                for (int x = bx; x < std::min(bx + kSide, tile.width); ++x) visit(x, y);
 }
 
 }  // namespace
@@ -67,34 +71,56 @@ public:
         if (stage.shows_scheme()) background_ = srgb_to_linear(stage.options.scheme->background);
     }
 
-    // Samples begin <= i < end of some pixels. False: aborted.
-    bool draw(const std::vector<PixelPlace>& pixels, int begin, int end, Film& film, const std::atomic<bool>* abort) {
-        std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
+    // Samples begin <= i < end of the tile's pixels. False: aborted.
+    bool draw(TileRegion tile, const TileSamples& begins, int end, Film& film, const std::atomic<bool>* abort) {
+        going_on_.clear();
+        each_by_blocks(tile, [&](int x, int y) {
+            if (const int begin = begins[place_in_tile(x, y)]; begin < end) going_on_.push_back({{tile.x + x, tile.y + y}, begin});
+        });
+        int least = end;
+        for (const GoingOn& g : going_on_) least = std::min(least, g.begin);
         // What a pixel costs is seen only where it is drawn alone.
-        const std::size_t together = cost.empty() ? kMostRays : 1;
-        for (std::size_t at = 0; at < pixels.size(); at += together) {
-            const std::span<const PixelPlace> group(pixels.data() + at, std::min(together, pixels.size() - at));
-            const double before = work_done(scratch_);
-            for (int i = begin; i < end; ++i) {
-                if (abort && abort->load(std::memory_order_relaxed)) return false;
-                draw_sample(group, i, film);
+        const std::size_t together = film.planes[static_cast<std::size_t>(Aov::kCost)].empty() ? kMostRays : 1;
+        for (int i = least; i < end; ++i)
+            for (const GoingOn& g : going_on_) {
+                if (g.begin > i) continue;
+                wanted_.push_back({g.pixel, i});
+                if (wanted_.size() == together && !draw_wanted(film, abort)) return false;
             }
-            if (!cost.empty()) cost[film.index(group[0].x, group[0].y)] += static_cast<float>(work_done(scratch_) - before);
-            if (film.aovs != 0 && begin == 0) fill_planes(stage_, group.data(), static_cast<int>(group.size()), scratch_, film);
-        }
+        if (!wanted_.empty() && !draw_wanted(film, abort)) return false;
+        if (film.aovs != 0) fill_new_planes(together, film);
         return true;
     }
 
 private:
-    // Sample `index` of at most kMostRays pixels.
-    void draw_sample(std::span<const PixelPlace> pixels, int index, Film& film) {
-        camera_.draw(pixels, index);
-        if (stage_.options.look == Look::kShaded) meet(static_cast<int>(pixels.size()));
+    // The samples wanted, of which there are then none. False: aborted.
+    bool draw_wanted(Film& film, const std::atomic<bool>* abort) {
+        const bool on = !abort || !abort->load(std::memory_order_relaxed);
+        std::vector<float>& cost = film.planes[static_cast<std::size_t>(Aov::kCost)];
+        const double before = work_done(scratch_);
+        if (on) draw_samples(film);
+        if (!cost.empty() && on) cost[film.index(wanted_[0].pixel.x, wanted_[0].pixel.y)] += static_cast<float>(work_done(scratch_) - before);
+        wanted_.clear();
+        return on;
+    }
+
+    // Of the pixels drawn for the first time.
+    void fill_new_planes(std::size_t together, Film& film) {
+        std::vector<PixelPlace> fresh;
+        for (const GoingOn& g : going_on_)
+            if (g.begin == 0) fresh.push_back(g.pixel);
+        for (std::size_t at = 0; at < fresh.size(); at += together)
+            fill_planes(stage_, fresh.data() + at, static_cast<int>(std::min(together, fresh.size() - at)), scratch_, film);
+    }
+
+    void draw_samples(Film& film) {
+        camera_.draw(wanted_);
+        if (stage_.options.look == Look::kShaded) meet(static_cast<int>(wanted_.size()));
         if (edges_) find_edges();
-        for (std::size_t k = 0; k < pixels.size(); ++k) {
+        for (std::size_t k = 0; k < wanted_.size(); ++k) {
             CameraLight light = stage_.options.look == Look::kXray ? xray_light(camera_.rays()[k]) : light_of(k);
             if (edges_ && edge_[k]) light.radiance *= kEdgeShare;
-            add_sample(light, camera_.samples()[k].weight, film.pixels[film.index(pixels[k].x, pixels[k].y)]);
+            add_sample(light, camera_.samples()[k].weight, film.pixels[film.index(wanted_[k].pixel.x, wanted_[k].pixel.y)]);
         }
     }
 
@@ -133,6 +159,8 @@ private:
     Spans spans_;
     Vec3 background_{0};
     std::unique_ptr<EdgeFinder> edges_;
+    std::vector<GoingOn> going_on_;
+    std::vector<SampleWanted> wanted_;
     CameraSampler camera_;
     MetTogether met_;
     ShadowsAhead shadows_;
@@ -168,18 +196,12 @@ TileDrawer::TileDrawer(const Stage& stage, Scratch& scratch, RenderCounters& cou
 
 TileDrawer::~TileDrawer() = default;
 
-bool TileDrawer::draw(TileRegion tile, const BlockSamples& begins, int end, Film& film, const std::atomic<bool>* abort) {
-    BlockSamples apart = begins;
-    std::sort(apart.begin(), apart.end());
-    const auto last = std::unique(apart.begin(), apart.end());
-    if (apart[0] >= end) return true;
+bool TileDrawer::draw(TileRegion tile, const TileSamples& begins, int end, Film& film, const std::atomic<bool>* abort) {
+    if (*std::min_element(begins.begin(), begins.end()) >= end) return true;
     const Kept kept(film, tile);
-    for (auto begin = apart.begin(); begin != last && *begin < end; ++begin) {
-        if (work_->draw(pixels_of(tile, begins, *begin), *begin, end, film, abort)) continue;
-        kept.put_back(film);
-        return false;
-    }
-    return true;
+    if (work_->draw(tile, begins, end, film, abort)) return true;
+    kept.put_back(film);
+    return false;
 }
 
 }  // namespace whittle

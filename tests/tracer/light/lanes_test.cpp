@@ -19,7 +19,7 @@ bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
 
 struct Numbers {
-    lanes::Row<std::uint32_t> x, y, keys, u, v;
+    lanes::Row<std::uint32_t> x, y, keys, indices, u, v;
 };
 
 // Of `count` pixels here and there.
@@ -27,7 +27,8 @@ Numbers numbers_of(std::uint64_t seed, std::uint32_t index, const PairOf& draw, 
     Numbers n;
     for (std::size_t k = 0; k < count; ++k) n.x[k] = static_cast<std::uint32_t>(k * 37 % 5000), n.y[k] = static_cast<std::uint32_t>(k * k % 3001);
     lanes::keys_of(seed, n.x.data(), n.y.data(), count, n.keys.data());
-    lanes::pairs_of(n.keys.data(), count, index, draw, n.u.data(), n.v.data());
+    for (std::size_t k = 0; k < count; ++k) n.indices[k] = index + static_cast<std::uint32_t>(k % 3);
+    lanes::pairs_of(n.keys.data(), n.indices.data(), count, draw, n.u.data(), n.v.data());
     return n;
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("numbers drawn for many pixels are those of each") {
                     const Numbers n = numbers_of(1ULL << 40 | 9, index, draw, count);
                     std::size_t wrong = 0;
                     for (std::size_t k = 0; k < count; ++k) {
-                        const Sampler one(1ULL << 40 | 9, static_cast<int>(n.x[k]), static_cast<int>(n.y[k]), index);
+                        const Sampler one(1ULL << 40 | 9, static_cast<int>(n.x[k]), static_cast<int>(n.y[k]), n.indices[k]);
                         const Vec2 pair = one.pair(draw);
                         wrong += one.key() != n.keys[k] || sobol::unit(n.u[k]) != pair.x || sobol::unit(n.v[k]) != pair.y;
                     }
@@ -63,13 +64,13 @@ TEST_CASE("numbers drawn for many pixels are those of each") {
 }
 
 TEST_CASE("numbers of other samplers drawn for many pixels are those of each") {
-    lanes::Row<std::uint32_t> keys, u, v;
-    for (std::size_t k = 0; k < lanes::kMost; ++k) keys[k] = sobol::hash(static_cast<std::uint32_t>(k));
+    lanes::Row<std::uint32_t> keys, indices, u, v;
+    for (std::size_t k = 0; k < lanes::kMost; ++k) keys[k] = sobol::hash(static_cast<std::uint32_t>(k)), indices[k] = static_cast<std::uint32_t>(k % 7);
     for (const Sequence sequence : {Sequence{SamplerKind::kStratified, 12}, Sequence{SamplerKind::kIndependent, 12}}) {
-        lanes::pairs_of(keys.data(), lanes::kMost, 5, {Draw::kLight, 65, 2, 5}, u.data(), v.data(), sequence);
+        lanes::pairs_of(keys.data(), indices.data(), lanes::kMost, {Draw::kLight, 65, 2, 5}, u.data(), v.data(), sequence);
         std::size_t wrong = 0;
         for (std::size_t k = 0; k < lanes::kMost; ++k) {
-            const Vec2 pair = Sampler(keys[k], 5, sequence).pair({Draw::kLight, 65, 2, 5});
+            const Vec2 pair = Sampler(keys[k], indices[k], sequence).pair({Draw::kLight, 65, 2, 5});
             wrong += sobol::unit(u[k]) != pair.x || sobol::unit(v[k]) != pair.y;
         }
         CHECK(wrong == 0);

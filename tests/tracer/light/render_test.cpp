@@ -48,6 +48,27 @@ TEST_CASE("the picture's bits depend on neither threads, regions, shards nor res
     CHECK(drawn(solid, {}, options, &stopped->film).film.pixels == whole.film.pixels);
 }
 
+TEST_CASE("a rendering stopped after any pass goes on to the bits of one that never stopped") {
+    const Solid solid = classic();
+    RenderOptions options = small_options();
+    options.samples = 40;
+    options.noise = 0.02;
+    const auto program = compile(solid);
+    REQUIRE(program);
+    const Film whole = drawn(solid, {}, options).film;
+    for (int passes = 1; passes < 8; ++passes) {
+        INFO(passes);
+        RenderControl control;
+        int kept = 0;
+        control.keep_every_s = 0;
+        control.keep = [&](const Film&) { control.stop = ++kept == passes; };
+        const Result<RenderResult> stopped = render(*program, {}, options, control);
+        REQUIRE(stopped);
+        CHECK(stopped->film.pixels != whole.pixels);
+        CHECK(drawn(solid, {}, options, &stopped->film).film.pixels == whole.pixels);
+    }
+}
+
 TEST_CASE("an aborted rendering returns at once with what is finished") {
     const auto program = compile(classic());
     REQUIRE(program);
