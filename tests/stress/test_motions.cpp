@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "tests/stress/compare.h"
+#include "tests/stress/mask.h"
 #include "tests/stress/scene_text.h"
 #include "tests/support/reduce.h"
 #include "tests/support/seed.h"
@@ -51,32 +52,6 @@ std::string described(const std::vector<Event>& list) {
 bool same(const std::vector<Event>& a, const std::vector<Event>& b, double room) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [&](const Event& x, const Event& y) { return x.entering == y.entering && x.use == y.use && std::abs(x.t - y.t) <= room + x.error + y.error; });
-}
-
-// How far a grazing ray's crossings may move, t of the scenes' size, where its origin moves by `far`.
-double way_of(double far) { return 20 * std::sqrt(far); }
-
-// Does the exact answer, surfaces and what holds the inside included, change when the ray moves by `far`, its direction by `turned`?
-bool is_masked(const Subject& subject, const Ray& ray, double far, double turned, std::mt19937_64& random) {
-    using reference::Border;
-    const auto alike = [&](const Border& x, const Border& y) {
-        return x.entering == y.entering && x.leaves == y.leaves && x.holding == y.holding && std::abs((middle(x.lo, x.hi) - middle(y.lo, y.hi)).to_double()) <= way_of(far);
-    };
-    // A little before its beginning too: what changes there tells whether it begins inside or enters. A power of two, so that rays in faces stay in them.
-    Ray longer = ray;
-    longer.origin -= std::exp2(std::ceil(std::log2(way_of(far)))) * ray.direction;
-    const auto here = subject.exact->borders(longer).borders;
-    std::uniform_real_distribution<double> within(-1, 1);
-    for (int i = 0; i < 200; ++i) {
-        Ray moved = longer;
-        for (int k = 0; k < 3; ++k) {
-            moved.origin[k] += within(random) * far;
-            moved.direction[k] += within(random) * turned;
-        }
-        const auto there = subject.exact->borders(moved).borders;
-        if (!std::equal(here.begin(), here.end(), there.begin(), there.end(), alike)) return true;
-    }
-    return false;
 }
 
 // Integer matrices that are a rotation, perhaps with a mirror, times a power of two or 5.

@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A root this near to the hit, relative to it, is the hit.
+// Where the classes of the hit are not known, a root this near to it, relative to it, is the hit.
 constexpr double kSameDepth = 1e-9;
 
 // Roots of the polynomial, and where it turns around (a quadratic's vertex). Of a quartic neither: tori have no edges here.
@@ -24,6 +24,7 @@ struct Places {
     std::array<double, 2> roots{kInfinity, kInfinity};
     double turn = kInfinity;
     bool turns() const { return turn > 0 && turn < kInfinity; }
+    double nearest_to(double t) const { return std::abs(roots[1] - t) < std::abs(roots[0] - t) ? roots[1] : roots[0]; }
 };
 
 Places places_of(const LinePolynomial<double>& p) {
@@ -91,9 +92,10 @@ DiscPart cut_by(const ConeEdge& edge, bool inner) {
 class ConeSplitter::Search {
 public:
     // False: nothing divides the cone.
-    bool look(const Program& program, const Cone& cone, double t_hit) {
+    bool look(const Program& program, const Cone& cone, double t_hit, const Departure* hit) {
         faces_.clear();
-        t_most_ = t_hit * (1 + kSameDepth);
+        t_hit_ = hit ? t_hit : t_hit * (1 + kSameDepth);
+        hit_ = hit;
         if (program.empty || program.everything || !formula_.read(program, cone, t_hit)) return false;
         for (std::size_t own = 0; own < formula_.sides.size(); ++own)
             if (!formula_.sides[own].departs) look_at(own);
@@ -122,16 +124,19 @@ private:
         const ConeSide& side = formula_.sides[own];
         const Places places = places_of(side.axis);
         const bool met = places.roots[0] < kInfinity;
+        // The root of what is hit is the hit, whatever rounding made of it.
+        const double own_hit = names(hit_, side.class_id()) ? places.nearest_to(t_hit_) : kInfinity;
+        const auto reached = [&](double t) { return t <= t_hit_ || (t == own_hit && t < kInfinity); };
         // Of what bends away only the points within its silhouette meet the face.
         std::uint64_t within = ~std::uint64_t{0};
-        if (places.turns() && (met ? places.roots[0] : places.turn) <= t_most_) {
+        if (places.turns() && reached(met ? places.roots[0] : places.turn)) {
             const ConeEdge silhouette = formula_.edge(own, formula_.section(places.turn), {places.turn, 0, 0});
             within = bends_around(own) ? silhouette.mask : ~silhouette.mask;
             if (std::abs(silhouette.offset) < 1) formula_.edges.push_back(silhouette);
             if (!met) add(own, {places.turn, 0, 0}, within);
         }
         for (double t : places.roots)
-            if (t > 0 && t <= t_most_ && t < kInfinity) add(own, touching(side, t, std::abs(places.turn - t)), within);
+            if (t > 0 && t < kInfinity && reached(t)) add(own, touching(side, t, std::abs(places.turn - t)), within);
     }
 
     // The plane that touches the side at t. Where it leans steeply the side bends away before: never by more than `most` within the disc.
@@ -156,15 +161,16 @@ private:
 
     ConeFormula formula_;
     std::vector<Face> faces_;
-    double t_most_ = 0;
+    double t_hit_ = 0;
+    const Departure* hit_ = nullptr;
 };
 
 ConeSplitter::ConeSplitter() : search_(std::make_unique<Search>()) {}
 ConeSplitter::~ConeSplitter() = default;
 
-ConeParts ConeSplitter::split(const Program& program, const Cone& cone, double t_hit) {
+ConeParts ConeSplitter::split(const Program& program, const Cone& cone, double t_hit, const Departure* hit) {
     ConeParts parts;
-    if (!search_->look(program, cone, t_hit)) return parts;
+    if (!search_->look(program, cone, t_hit, hit)) return parts;
     // Each point to the face that it meets first, the rest to none.
     std::uint64_t left = ~std::uint64_t{0};
     std::array<Face, ConeParts::kMost> groups;

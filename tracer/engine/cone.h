@@ -24,6 +24,7 @@ struct Cone {
     double start = 0, spread = 0;
     Vec3 near_u{0}, near_v{0}, far_u{0}, far_v{0};
     double reach = std::numeric_limits<double>::infinity();
+    Vec3 right{1, 0, 0}, up{0, 1, 0};  // orthonormal: the disc is laid out by these
 };
 
 // `share` of the cone has its middle at `off` from the axis in the section at t, where its face is; what meets none, where that of most points is.
@@ -52,8 +53,9 @@ public:
     ConeSplitter(const ConeSplitter&) = delete;
     ConeSplitter& operator=(const ConeSplitter&) = delete;
 
-    // `t_hit`: where the axis meets the solid, infinite where it does not. Faces behind it do not count, those that the axis departs from neither.
-    ConeParts split(const Program& program, const Cone& cone, double t_hit);
+    // `t_hit`: where the axis meets the solid, infinite where it does not; `hit`: the classes that it meets there, null where they are not known. Faces behind
+    // it do not count, those that the axis departs from neither.
+    ConeParts split(const Program& program, const Cone& cone, double t_hit, const Departure* hit = nullptr);
 
 private:
     class Search;

@@ -40,19 +40,31 @@ const std::array<DiscPoint, kDiscPoints>& disc_points() {
     return points;
 }
 
+namespace {
+
+// To the farthest corner of the box around all; of what has no end no length is better than another.
+double way_past(const Program& program, const Vec3& from) {
+    Vec3 way;
+    for (int i = 0; i < 3; ++i) way[i] = std::max(std::abs(program.bounds.lo[i] - from[i]), std::abs(program.bounds.hi[i] - from[i]));
+    const double length = glm::length(way);
+    return std::isfinite(length) ? length : 1;
+}
+
+}  // namespace
+
 bool ConeFormula::read(const Program& program, const Cone& cone, double t_most) {
     program_ = &program;
     cone_ = &cone;
     t_most_ = t_most;
     const Vec3 d = cone.axis.direction, o = cone.axis.origin;
-    const Vec3 other = std::abs(d.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    const Vec3 other = std::abs(glm::dot(d, cone.right)) < 0.5 ? cone.right : cone.up;
     u = glm::normalize(glm::cross(d, other));
     v = glm::cross(d, u);
     near_u_ = across(cone.near_u, u, v), near_v_ = across(cone.near_v, u, v);
     far_u_ = across(cone.far_u, u, v), far_v_ = across(cone.far_v, u, v);
     near_size_ = std::sqrt(glm::dot(cone.near_u, cone.near_u) + glm::dot(cone.near_v, cone.near_v));
     far_size_ = std::sqrt(glm::dot(cone.far_u, cone.far_u) + glm::dot(cone.far_v, cone.far_v));
-    step_ = std::max({cone.start + cone.spread * std::min(t_most, 1 + glm::length(o)), near_size_, far_size_});
+    step_ = std::max({cone.start + cone.spread * std::min(t_most, way_past(program, o)), near_size_, far_size_});
     if (!(step_ > 0) || !std::isfinite(step_)) return false;
     slab_ = slab_ray({o.x, o.y, o.z}, {d.x, d.y, d.z});
     sides.clear();
@@ -105,17 +117,13 @@ std::uint64_t ConeFormula::face(std::size_t own, const Leaning& plane) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const ConeSide& side = sides[i];
         if (i == own) continue;
+        if (side.class_id() == sides[own].class_id()) continue;  // its other side: in its own plane it has no edge
         const ConeEdge found = edge(i, here, plane);
         masks_[i] = found.mask;
         if (side.departs) reached &= side.inside_sign() * side.axis.c[1] <= 0 ? found.mask : ~found.mask;
         else if (std::abs(found.offset) < 1) edges.push_back(found);
     }
     return (inside(root_, own, ~std::uint64_t{0}) ^ inside(root_, own, 0)) & reached;
-}
-
-bool ConeFormula::departs_from(std::uint32_t class_id) const {
-    const Departure* d = cone_->axis.departure;
-    return d && std::find(d->classes.begin(), d->classes.begin() + d->count, class_id) != d->classes.begin() + d->count;
 }
 
 // Does the cone come near the box? Grown by the radius where the cone is widest near it.
@@ -191,7 +199,10 @@ void ConeFormula::gather_items(std::uint32_t at) {
             gather_items(node.child[k].index());
             continue;
         }
-        const std::size_t part = gather(program_->refs[node.child[k].index()]);
+        const Ref ref = program_->refs[node.child[k].index()];
+        // The node's boxes are single, and wider than the part where it stands far out.
+        if (ref.is_leaf() && !program_->leaf_bounds.empty() && !meets(program_->leaf_bounds[ref.index()])) continue;
+        const std::size_t part = gather(ref);
         pending_.push_back(part);
     }
 }
@@ -199,11 +210,16 @@ void ConeFormula::gather_items(std::uint32_t at) {
 const ConeFormula::FrameLines& ConeFormula::lines_in(std::uint32_t frame) {
     for (const FrameLines& known : lines_)
         if (known.frame == frame) return known;
-    const auto line = [&](Vec3 off) {
-        const Vec3 o = cone_->axis.origin + off;
-        return line_in_frame<double>(program_->frames[frame], {o.x, o.y, o.z}, cone_->axis.direction);
+    const auto line = [&](Vec3 origin, Vec3 direction) { return line_in_frame<double>(program_->frames[frame], {origin.x, origin.y, origin.z}, direction); };
+    const FrameLine<double> axis = line(cone_->axis.origin, cone_->axis.direction);
+    // The step goes through the frame as a direction: beside a far origin it would lose its digits.
+    const auto beside = [&](Vec3 across, double step) {
+        const FrameLine<double> towards = line(cone_->axis.origin, across);
+        FrameLine<double> moved = axis;
+        for (std::size_t i = 0; i < 3; ++i) moved.o[i] += step * towards.d[i];
+        return moved;
     };
-    lines_.push_back({frame, line(Vec3(0)), {line(step_ * u), line(-step_ * u), line(step_ * v), line(-step_ * v)}});
+    lines_.push_back({frame, axis, {beside(u, step_), beside(u, -step_), beside(v, step_), beside(v, -step_)}});
     return lines_.back();
 }
 
@@ -211,7 +227,7 @@ std::size_t ConeFormula::side_of(HalfSpace half_space) {
     for (std::size_t i = 0; i < sides.size(); ++i)
         if (sides[i].packed == half_space.packed) return i;
     const Support& support = program_->classes[half_space.id()];
-    sides.push_back({half_space.packed, departs_from(half_space.id()), {}, {}, {}});
+    sides.push_back({half_space.packed, names(cone_->axis.departure, half_space.id()), {}, {}, {}});
     if (program_->frames[support.frame].motion != 0 || !has_polynomial(support.kind)) {
         readable_ = false;
         return sides.size() - 1;
@@ -232,6 +248,11 @@ std::size_t ConeFormula::side_of(HalfSpace half_space) {
     return sides.size() - 1;
 }
 
+std::uint64_t ConeFormula::inside_side(std::size_t side, std::size_t own, std::uint64_t own_mask) const {
+    if (side == own) return own_mask;
+    return sides[side].class_id() == sides[own].class_id() ? ~own_mask : masks_[side];
+}
+
 std::uint64_t ConeFormula::inside(std::size_t at, std::size_t own, std::uint64_t own_mask) const {
     const Part& part = parts_[at];
     const std::uint64_t all = ~std::uint64_t{0};
@@ -239,7 +260,7 @@ std::uint64_t ConeFormula::inside(std::size_t at, std::size_t own, std::uint64_t
     std::uint64_t mask = part.is_and ? all : 0;
     for (std::size_t i = 0; i < part.count && mask != (part.is_and ? 0 : all); ++i) {
         const std::size_t child = children_[part.first + i];
-        const std::uint64_t in = !part.leaf ? inside(child, own, own_mask) : child == own ? own_mask : masks_[child];
+        const std::uint64_t in = !part.leaf ? inside(child, own, own_mask) : inside_side(child, own, own_mask);
         mask = part.is_and ? mask & in : mask | in;
     }
     return part.negated ? ~mask : mask;

@@ -2,6 +2,7 @@
 // the axis the formula's value at 64 points of the section at once, a bit each.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,7 @@ struct ConeSide {
     std::uint32_t packed = 0;
     bool departs = false;  // the axis leaves it
     LinePolynomial<double> axis, along_u, along_v;
+    std::uint32_t class_id() const { return packed >> 1; }
     double inside_sign() const { return (packed & 1) != 0 ? -1 : 1; }
 };
 
@@ -36,6 +38,11 @@ inline double slope_at(const LinePolynomial<double>& p, double t) {
 struct ConeSection {
     double uu = 0, uv = 0, vv = 0;
 };
+
+// Does it name the class? Null names none.
+inline bool names(const Departure* events, ClassId id) {
+    return events && std::find(events->classes.begin(), events->classes.begin() + events->count, id) != events->classes.begin() + events->count;
+}
 
 // Points of the unit disc, each for an equal share.
 inline constexpr int kDiscPoints = 64;
@@ -99,8 +106,8 @@ private:
     // Of the plane: beyond the cone's start, and before twice t, where the section is another.
     std::uint64_t points_ahead(const ConeSection& section, const Leaning& plane) const;
     const FrameLines& lines_in(std::uint32_t frame);
-    bool departs_from(std::uint32_t class_id) const;
     std::size_t side_of(HalfSpace half_space);
+    std::uint64_t inside_side(std::size_t side, std::size_t own, std::uint64_t own_mask) const;
     std::uint64_t inside(std::size_t part, std::size_t own, std::uint64_t own_mask) const;
 
     const Program* program_ = nullptr;

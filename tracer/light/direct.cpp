@@ -102,10 +102,12 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
 }
 
 Vec3 DirectLight::cone_transmittance(const Border& border, const LightSource& lamp, const LightSample& sample, const Footprint& footprint) const {
-    Cone cone;
-    cone.axis.origin = border.point;
-    cone.axis.direction = sample.direction;
-    cone.axis.departure = stage_.world.divided() ? nullptr : &border.leaving.events[0];
+    const Departure departure = stage_.world.departure_from_whole(border.leaving);
+    Ray axis;
+    axis.origin = border.point;
+    axis.direction = sample.direction;
+    axis.departure = &departure;
+    Cone cone = cone_about(stage_.lens, axis);
     cone.near_u = footprint.u;
     cone.near_v = footprint.v;
     cone.reach = sample.distance;

@@ -39,6 +39,15 @@ struct AnswersAhead {
     std::size_t count = 0;
 };
 
+// Without width, yet. Its points go with the lens, so that pictures of a scene that is turned with its camera are divided alike.
+inline Cone cone_about(const Lens& lens, const Ray& axis) {
+    Cone cone;
+    cone.axis = axis;
+    cone.right = lens.right;
+    cone.up = lens.up;
+    return cone;
+}
+
 // The ellipse on a surface that a cone of rays covers: its half axes.
 struct Footprint {
     Vec3 u{0}, v{0};

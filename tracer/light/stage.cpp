@@ -215,6 +215,7 @@ Result<std::shared_ptr<const Stage>> prepare(std::shared_ptr<const Program> prog
     drop_lamps(*stage);
     if ((stage->needs.spectrum || is_disabled(options.disabled_passes, "spectrum")) && stage->distributes()) stage->spectrum = std::make_unique<const Spectrum>();
     add_light_passes(bounds, studio, *stage);
+    if (stage->integrator == Integrator::kCone) stage->world.know_whole(*program);
     if (stage->shows_scheme()) stage->world.recolor(*options.scheme);
     stage->packets = !is_disabled(options.disabled_passes, "packets");
     stage->filter = FilterSampler(options.filter);

@@ -23,8 +23,7 @@ constexpr double kLobeRadius = 2;
 // The disc around a pixel's ray that spreads places as the filter does: of a uniform disc the deviation along a line is half the radius.
 Cone pixel_cone(const Stage& stage, const Ray& ray) {
     const double radius = 2 * stage.filter.deviation() * (2 * stage.lens.half_height / stage.options.height);
-    Cone cone;
-    cone.axis = ray;
+    Cone cone = cone_about(stage.lens, ray);
     if (stage.lens.orthographic) cone.start = radius;
     else cone.spread = radius * glm::dot(ray.direction, stage.lens.forward);
     return cone;
@@ -74,6 +73,12 @@ Vec3 Tracer::follow(const Ray& ray, const Leaving* leaving, const Branch& branch
     return cones() ? follow_cone(ray, leaving, branch, first) : seen(ray, first, branch);
 }
 
+ConeParts Tracer::divided(const Cone& cone, const FirstBorder& first) const {
+    if (!first.met) return cones_->split(*stage_.program, cone, kInfinity);
+    const Departure hit = stage_.world.departure_from_whole(first.border.leaving);
+    return cones_->split(*stage_.program, cone, first.border.t, &hit);
+}
+
 // All parts of the pixel that edges divide.
 CameraLight Tracer::cone_light(const Ray& ray, double height, const FirstBorder& first) {
     const Cone cone = pixel_cone(stage_, ray);
@@ -87,7 +92,7 @@ CameraLight Tracer::cone_light(const Ray& ray, double height, const FirstBorder&
         branch.widens = std::sqrt(share) * cone.spread;
         return {shade(along, border.border, branch), 1};
     };
-    const ConeParts parts = cones_->split(*stage_.program, cone, first.met ? first.border.t : kInfinity);
+    const ConeParts parts = divided(cone, first);
     if (!parts.divided()) return light(ray, first, 1);
     CameraLight sum;
     for (const ConePart& p : parts) {
@@ -113,9 +118,12 @@ Vec3 Tracer::follow_cone(const Ray& ray, const Leaving* leaving, const Branch& b
         part.widens *= std::sqrt(share);
         return part;
     };
-    Cone cone{ray, branch.wide, branch.widens, Vec3(0), Vec3(0), Vec3(0), Vec3(0), kInfinity};
-    cone.axis.departure = stage_.world.divided() ? nullptr : &leaving->events[0];
-    const ConeParts parts = cones_->split(*stage_.program, cone, axis.met ? axis.border.t : kInfinity);
+    const Departure departure = stage_.world.departure_from_whole(*leaving);
+    Cone cone = cone_about(stage_.lens, ray);
+    cone.start = branch.wide;
+    cone.spread = branch.widens;
+    cone.axis.departure = &departure;
+    const ConeParts parts = divided(cone, axis);
     if (!parts.divided()) return seen(ray, axis, onward(axis, 1));
     Vec3 sum(0);
     double asked = 0;

@@ -8,6 +8,7 @@
 #include "csg/solid/placement.h"
 #include "tracer/engine/cut_faces.h"
 #include "tracer/engine/program.h"
+#include "tracer/engine/same_classes.h"
 #include "tracer/image/tone.h"
 
 namespace whittle {
@@ -108,6 +109,25 @@ void World::recolor(const ColorScheme& scheme) {
         }
         part.cut = classes_of_cutters(*part.program);
     }
+}
+
+void World::know_whole(const Program& whole) {
+    if (!divided()) return;
+    for (Part& part : parts_) part.in_whole = same_classes(*part.program, whole);
+}
+
+Departure World::departure_from_whole(const Leaving& leaving) const {
+    if (!divided()) return leaving.events[0];
+    Departure all;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        if (((leaving.parts >> k) & 1U) == 0) continue;
+        for (int i = 0; i < leaving.events[k].count; ++i) {
+            const ClassId id = parts_[k].in_whole[leaving.events[k].classes[static_cast<std::size_t>(i)]];
+            const auto end = all.classes.begin() + all.count;
+            if (id != kNoClass && end != all.classes.end() && std::find(all.classes.begin(), end, id) == end) all.classes[static_cast<std::size_t>(all.count++)] = id;
+        }
+    }
+    return all;
 }
 
 int World::owner(std::uint32_t inside) const {

@@ -76,6 +76,9 @@ public:
 
     const Program& whole() const { return *parts_[0].program; }
     bool divided() const { return parts_.size() > 1; }
+    // What the ray leaves of `whole`, the solid that this world was made of. Requires, where it is divided: know_whole() was called before.
+    Departure departure_from_whole(const Leaving& leaving) const;
+    void know_whole(const Program& whole);
     // Around each thing that is a mirror or clear.
     std::vector<Bounds> focusing_bounds() const;
     // Of all parts; those of the whole solid by its leaf uses where it is not divided.
@@ -91,6 +94,7 @@ private:
         bool clear = false;
         std::vector<Surface> cut_faces{};  // by leaf use, where cuts are shown: what of its matter a cutter lays bare
         std::vector<bool> cut{};           // then by class: is it only cutters'?
+        std::vector<ClassId> in_whole{};   // by class, once know_whole() was called
 
         const Surface& look(const End& face) const { return !cut.empty() && cut[face.surface] ? cut_faces[face.use] : surfaces[face.use]; }
     };
