@@ -6,6 +6,12 @@
 
 namespace whittle {
 
+namespace {
+
+bool has_disc(const Lens& lens) { return lens.aperture > 0 && lens.blades < 3; }
+
+}  // namespace
+
 CameraSampler::CameraSampler(const Stage& stage, RenderCounters& counters) : stage_(stage), counters_(counters) {}
 
 void CameraSampler::draw(std::span<const SampleWanted> wanted) {
@@ -42,16 +48,28 @@ void CameraSampler::draw_places(std::span<const SampleWanted> wanted) {
     }
 }
 
+// Through the window of the places px_, py_; with a lens whose aperture is a disc from places on that.
+void CameraSampler::draw_together(bool sharp) {
+    const Lens& lens = stage_.lens;
+    const std::size_t count = samples_.size();
+    const lanes::Directions rays{ray_x_.data(), ray_y_.data(), ray_z_.data()};
+    lanes::through_window({lens.forward, lens.right, lens.up, lens.half_height}, px_.data(), py_.data(), count, rays);
+    if (sharp) return;
+    lanes::pairs_of(keys_.data(), indices_.data(), count, {Draw::kLens}, u_.data(), v_.data(), stage_.options.sequence());
+    lanes::through_disc({lens.eye, lens.right, lens.up, lens.forward, lens.aperture / 2, lens.focus}, u_.data(), v_.data(), count, {from_x_.data(), from_y_.data(), from_z_.data()},
+                        rays);
+}
+
 void CameraSampler::draw_rays() {
     const Lens& lens = stage_.lens;
     const double half = stage_.options.height / 2.0, middle = stage_.options.width / 2.0;
     const std::size_t count = samples_.size();
     for (std::size_t k = 0; k < count; ++k) px_[k] = (samples_[k].px - middle) / half, py_[k] = (half - samples_[k].py) / half;
-    const bool sharp = !stage_.distributes() || !stage_.needs.lens, together = sharp && !lens.orthographic;
-    if (together) lanes::through_window({lens.forward, lens.right, lens.up, lens.half_height}, px_.data(), py_.data(), count, {ray_x_.data(), ray_y_.data(), ray_z_.data()});
+    const bool sharp = !stage_.distributes() || !stage_.needs.lens, together = !lens.orthographic && (sharp || has_disc(lens));
+    if (together) draw_together(sharp);
     for (std::size_t k = 0; k < count; ++k) {
         Ray& ray = samples_[k].ray;
-        if (together) ray.origin = lens.eye, ray.direction = {ray_x_[k], ray_y_[k], ray_z_[k]};
+        if (together) ray.origin = sharp ? lens.eye : Vec3(from_x_[k], from_y_[k], from_z_[k]), ray.direction = {ray_x_[k], ray_y_[k], ray_z_[k]};
         else if (sharp) ray = camera_ray(lens, px_[k], py_[k]);
         else ray = camera_ray(lens, px_[k], py_[k], samples_[k].sampler.pair(Draw::kLens));
         ray.time = time_of(samples_[k]);

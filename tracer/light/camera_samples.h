@@ -38,6 +38,7 @@ public:
 private:
     void draw_places(std::span<const SampleWanted> wanted);
     void draw_rays();
+    void draw_together(bool sharp);
     double time_of(const CameraSample& sample) const;
 
     const Stage& stage_;
@@ -45,7 +46,7 @@ private:
     std::vector<CameraSample> samples_;
     std::vector<Ray> rays_;
     lanes::Row<std::uint32_t> x_, y_, keys_, indices_, u_, v_;
-    lanes::Row<double> px_, py_, weights_x_, weights_y_, ray_x_, ray_y_, ray_z_;
+    lanes::Row<double> px_, py_, weights_x_, weights_y_, ray_x_, ray_y_, ray_z_, from_x_, from_y_, from_z_;
 };
 
 }  // namespace whittle

@@ -19,6 +19,8 @@ HWY_EXPORT(pairs);
 HWY_EXPORT(places);
 HWY_EXPORT(window);
 HWY_EXPORT(cap);
+HWY_EXPORT(disc);
+HWY_EXPORT(rectangle);
 
 void keys_of(std::uint64_t seed, const std::uint32_t* x, const std::uint32_t* y, std::size_t count, std::uint32_t* out) {
     HWY_DYNAMIC_DISPATCH(keys)(Sampler::folded(seed), x, y, count, out);
@@ -45,6 +47,14 @@ void through_window(const Window& w, const double* x, const double* y, std::size
 
 void in_cap(Vec3 axis, double one_minus_cos, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, const Directions& out) {
     HWY_DYNAMIC_DISPATCH(cap)(ShadingFrame(axis), one_minus_cos, u, v, count, out);
+}
+
+void through_disc(const DiscLens& lens, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, const Directions& from, const Directions& rays) {
+    HWY_DYNAMIC_DISPATCH(disc)(lens, u, v, count, from, rays);
+}
+
+void on_rectangle(const RectangleSides& sides, const Directions& places, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, double* solid_angles) {
+    HWY_DYNAMIC_DISPATCH(rectangle)(sides, places, u, v, count, solid_angles);
 }
 
 }  // namespace whittle::lanes

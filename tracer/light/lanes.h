@@ -1,4 +1,4 @@
-// lanes.h — what many pixels draw for one sample, a pixel a lane: numbers, places in the filter, camera rays, directions to a sun's disc.
+// lanes.h — what many pixels draw for one sample, a pixel a lane: numbers, places in the filter, camera rays, ways to a sun's disc or a rectangle.
 //
 // Each function gives the bits of its single counterpart (Sampler::pair, FilterSampler::place, camera_ray, sample_light) on every instruction set; before
 // them, aiming and lamps took two fifths of the time of a picture. Arrays begin at multiples of 64 bytes and have room for the next multiple of kLaneRoom.
@@ -10,6 +10,7 @@
 
 #include "csg/base/vec.h"
 #include "tracer/image/filter.h"
+#include "tracer/light/rectangle.h"
 #include "tracer/light/sampler.h"
 
 namespace whittle::lanes {
@@ -36,6 +37,16 @@ struct Window {
     double scale;  // of across and up
 };
 void through_window(const Window& window, const double* x, const double* y, std::size_t count, const Directions& out);
+
+// The same through a lens with a disc for an aperture: rays of the eye's window go in, those through places of the disc come out, whose origins are `from`.
+struct DiscLens {
+    Vec3 eye, right, up, forward;
+    double radius, focus;
+};
+void through_disc(const DiscLens& lens, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, const Directions& from, const Directions& rays);
+
+// From places to points on a lamp (rectangle.h): places go in, ways come out. Solid angle 0: none.
+void on_rectangle(const RectangleSides& sides, const Directions& places, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, double* solid_angles);
 
 // ShadingFrame(axis).to_world(on_cap(., one_minus_cos)).
 void in_cap(Vec3 axis, double one_minus_cos, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, const Directions& out);

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <sleef.h>
-
 #include "csg/base/degrees.h"
 #include "tracer/image/tone.h"
 #include "tracer/light/lanes.h"
+#include "tracer/light/rectangle.h"
 #include "tracer/light/scattering.h"
 
 namespace whittle {
@@ -96,65 +95,49 @@ LightSample at_point(const LightSource& light, Vec3 to, double density_of_area) 
     return s;
 }
 
-// A rectangle as seen from a point, on the unit sphere. `solid_angle` 0: it can't be sampled by that.
-class SphericalRectangle {
-public:
-    SphericalRectangle(const LightSource& light, Vec3 from) {
-        const double eu = std::sqrt(squared(light.u)), ev = std::sqrt(squared(light.v));
-        // Oblique by more than rounding: no rectangle.
-        constexpr double kSquare = 1e-12;
-        if (std::abs(glm::dot(light.u, light.v)) > kSquare * eu * ev) return;
-        x_ = light.u / eu;
-        y_ = light.v / ev;
-        z_ = glm::cross(x_, y_);
-        const Vec3 d = light.p - from;
-        z0_ = glm::dot(d, z_);
-        if (z0_ > 0) z_ = -z_, z0_ = -z0_;
-        x0_ = glm::dot(d, x_), y0_ = glm::dot(d, y_);
-        x1_ = x0_ + eu, y1_ = y0_ + ev;
-        if (!(z0_ < 0)) return;
-        const Vec3 n0 = edge_normal({x0_, y0_, z0_}, {x1_, y0_, z0_}), n1 = edge_normal({x1_, y0_, z0_}, {x1_, y1_, z0_});
-        const Vec3 n2 = edge_normal({x1_, y1_, z0_}, {x0_, y1_, z0_}), n3 = edge_normal({x0_, y1_, z0_}, {x0_, y0_, z0_});
-        b0_ = n0.z, b1_ = n2.z;
-        k_ = 2 * kPi - angle(n2, n3) - angle(n3, n0);
-        const double s = angle(n0, n1) + angle(n1, n2) - k_;
-        // The angles are sums of size pi: below this a hundred-thousandth of the solid angle is rounding.
-        constexpr double kLeast = 1e-9;
-        if (s > kLeast) solid_angle_ = s;
-    }
-    double solid_angle() const { return solid_angle_; }
+// One place's numbers (rectangle_kernel.inc).
+namespace alone {
 
-    // From the eye of the rectangle to a point on it.
-    Vec3 at(Vec2 u) const {
-        const double au = u.x * solid_angle_ + k_;
-        const Sleef_double_2 sc = Sleef_cinz_sincosd1_u10purec(au);
-        const double fu = (sc.y * b0_ - b1_) / sc.x;
-        const double cu = std::clamp(std::copysign(1 / std::sqrt(fu * fu + b0_ * b0_), fu), -1.0, 1.0);
-        const double xu = std::clamp(-cu * z0_ / std::sqrt(std::max(1e-300, 1 - cu * cu)), x0_, x1_);
-        const double d2 = xu * xu + z0_ * z0_;
-        const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_), h1 = y1_ / std::sqrt(d2 + y1_ * y1_), h = h0 + u.y * (h1 - h0);
-        const double yv = h * h < 1 ? std::clamp(h * std::sqrt(d2) / std::sqrt(1 - h * h), y0_, y1_) : y1_;
-        return xu * x_ + yv * y_ + z0_ * z_;
-    }
+using N = double;
+N number(double x) { return x; }
+N root(N x) { return std::sqrt(x); }
+N size(N x) { return std::abs(x); }
+N least(N a, N b) { return a < b ? a : b; }
+N most(N a, N b) { return a > b ? a : b; }
+bool less(N a, N b) { return a < b; }
+N choose(bool first, N a, N b) { return first ? a : b; }
+N with_sign(N x, N sign) { return std::copysign(x, sign); }
+void turned(N turns, N& cosine, N& sine) {
+    const Vec2 at = on_circle(turns);
+    cosine = at.x, sine = at.y;
+}
+#define KERNEL inline
+#define KERNEL_LAMBDA
+#include "tracer/light/rectangle_kernel.inc"
+#undef KERNEL
+#undef KERNEL_LAMBDA
 
-private:
-    static Vec3 edge_normal(Vec3 a, Vec3 b) { return glm::normalize(glm::cross(a, b)); }
-    static double angle(Vec3 a, Vec3 b) { return Sleef_cinz_acosd1_u10purec(std::clamp(-glm::dot(a, b), -1.0, 1.0)); }
+}  // namespace alone
 
-    Vec3 x_{0}, y_{0}, z_{0};
-    double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
-    double b0_ = 0, b1_ = 0, k_ = 0, solid_angle_ = 0;
-};
+alone::OnRectangle on_rectangle(const RectangleSides& sides, Vec3 from, Vec2 u) {
+    const Vec3 to = sides.p - from;
+    return alone::on_rectangle(sides, to.x, to.y, to.z, u.x, u.y);
+}
 
 LightSample from_parallelogram(const LightSource& light, Vec3 from, Vec2 u) {
-    const SphericalRectangle seen(light, from);
-    if (seen.solid_angle() > 0) return at_point(light, seen.at(u), 1 / seen.solid_angle());
+    if (const std::optional<RectangleSides> sides = sides_of(light.p, light.u, light.v)) {
+        const alone::OnRectangle on = on_rectangle(*sides, from, u);
+        if (on.solid_angle > 0) return at_point(light, on.x * sides->x + on.y * sides->y + on.z * sides->z, 1 / on.solid_angle);
+    }
     return at_point(light, light.p + u.x * light.u + u.y * light.v - from, 0);
 }
 
 double parallelogram_density(const LightSource& light, Vec3 from, Vec3 direction, double t) {
-    const SphericalRectangle seen(light, from);
-    return seen.solid_angle() > 0 ? 1 / seen.solid_angle() : t * t / (std::abs(glm::dot(direction, light.normal)) * light.area);
+    if (const std::optional<RectangleSides> sides = sides_of(light.p, light.u, light.v)) {
+        const double solid_angle = on_rectangle(*sides, from, Vec2(0)).solid_angle;
+        if (solid_angle > 0) return 1 / solid_angle;
+    }
+    return t * t / (std::abs(glm::dot(direction, light.normal)) * light.area);
 }
 
 LightSample from_environment(const LightSource& light, Vec2 u) {
@@ -190,18 +173,36 @@ LightSample sample_light(const LightSource& light, Vec3 from, Vec2 u) {
     return s;
 }
 
-void sample_light(const LightSource& light, const Vec3* from, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, LightSample* samples) {
-    if (light.kind != LightKind::kSun || !(light.one_minus_cos > 0)) {
-        for (std::size_t k = 0; k < count; ++k) samples[k] = sample_light(light, from[k], Vec2(sobol::unit(u[k]), sobol::unit(v[k])));
-        return;
-    }
+namespace {
+
+void sample_disc(const LightSource& sun, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, LightSample* samples) {
     lanes::Row<double> x, y, z;
-    lanes::in_cap(light.p, light.one_minus_cos, u, v, count, {x.data(), y.data(), z.data()});
-    LightSample s = sample_light(light, Vec3(0), Vec2(0));
+    lanes::in_cap(sun.p, sun.one_minus_cos, u, v, count, {x.data(), y.data(), z.data()});
+    LightSample s = sample_light(sun, Vec3(0), Vec2(0));
     for (std::size_t k = 0; k < count; ++k) {
         s.direction = {x[k], y[k], z[k]};
         samples[k] = s;
     }
+}
+
+void sample_rectangle(const LightSource& light, const RectangleSides& sides, const Vec3* from, const std::uint32_t* u, const std::uint32_t* v, std::size_t count,
+                      LightSample* samples) {
+    lanes::Row<double> x, y, z, solid_angle;
+    for (std::size_t k = 0; k < count; ++k) x[k] = from[k].x, y[k] = from[k].y, z[k] = from[k].z;
+    lanes::on_rectangle(sides, {x.data(), y.data(), z.data()}, u, v, count, solid_angle.data());
+    for (std::size_t k = 0; k < count; ++k) {
+        if (solid_angle[k] > 0) samples[k] = at_point(light, {x[k], y[k], z[k]}, 1 / solid_angle[k]);
+        else samples[k] = sample_light(light, from[k], Vec2(sobol::unit(u[k]), sobol::unit(v[k])));
+    }
+}
+
+}  // namespace
+
+void sample_light(const LightSource& light, const Vec3* from, const std::uint32_t* u, const std::uint32_t* v, std::size_t count, LightSample* samples) {
+    if (light.kind == LightKind::kSun && light.one_minus_cos > 0) return sample_disc(light, u, v, count, samples);
+    if (light.kind == LightKind::kParallelogram)
+        if (const std::optional<RectangleSides> sides = sides_of(light.p, light.u, light.v)) return sample_rectangle(light, *sides, from, u, v, count, samples);
+    for (std::size_t k = 0; k < count; ++k) samples[k] = sample_light(light, from[k], Vec2(sobol::unit(u[k]), sobol::unit(v[k])));
 }
 
 bool meet_lights(const std::vector<LightSource>& lights, Vec3 origin, Vec3 direction, double t_max, LightMet& met) {

@@ -115,6 +115,33 @@ TEST_CASE("camera rays of many pixels are those of each") {
     });
 }
 
+TEST_CASE("camera rays of many pixels through a lens are those of each") {
+    Lens lens;
+    lens.eye = {3, -5, 2};
+    lens.forward = glm::normalize(Vec3(-3, 5, -2));
+    lens.right = glm::normalize(glm::cross(lens.forward, Vec3(0, 0, 1)));
+    lens.up = glm::cross(lens.right, lens.forward);
+    lens.aperture = 3;
+    lens.focus = 17;
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> place(-1.5, 1.5);
+    lanes::Row<double> x, y, dx, dy, dz, ox, oy, oz;
+    for (std::size_t k = 0; k < lanes::kMost; ++k) x[k] = place(random), y[k] = place(random);
+    on_every_target([&] {
+        const Numbers n = numbers_of(4, 9, {Draw::kLens}, lanes::kMost);
+        const lanes::Directions rays{dx.data(), dy.data(), dz.data()};
+        lanes::through_window({lens.forward, lens.right, lens.up, lens.half_height}, x.data(), y.data(), lanes::kMost, rays);
+        lanes::through_disc({lens.eye, lens.right, lens.up, lens.forward, lens.aperture / 2, lens.focus}, n.u.data(), n.v.data(), lanes::kMost, {ox.data(), oy.data(), oz.data()},
+                            rays);
+        std::size_t wrong = 0;
+        for (std::size_t k = 0; k < lanes::kMost; ++k) {
+            const Ray one = camera_ray(lens, x[k], y[k], {sobol::unit(n.u[k]), sobol::unit(n.v[k])});
+            wrong += !same(one.direction, {dx[k], dy[k], dz[k]}) || !same(one.origin, {ox[k], oy[k], oz[k]});
+        }
+        CHECK(wrong == 0);
+    });
+}
+
 TEST_CASE("samples of a lamp for many places are those of each") {
     PointLight ball;
     ball.p = {9, 4, 30};
