@@ -45,7 +45,7 @@ public:
 
 private:
     // Reflectance of the bare dielectric; exactly none where its index is 1.
-    double coat(double cosine) const { return fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), 1 / surface_.ior); }
+    double coat(double cosine) const { return surface_.dielectric_f0 > 0 ? fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), 1 / surface_.ior) : 0; }
 
     const Surface& surface_;
     Vec3 normal_, view_;

@@ -67,12 +67,12 @@ void DirectLight::sample_many(std::size_t number, const Vec3* points, const Samp
     sample_light(lamp, points, u.data(), v.data(), count, samples);
 }
 
-bool DirectLight::blocked(const Ray& ray, const Leaving& leaving, double distance) const {
+const ShadowAnswer* DirectLight::known(const Ray& ray, double distance) const {
     for (std::size_t i = 0; i < ahead_.count; ++i) {
         const ShadowAnswer& a = ahead_.first[i];
-        if (a.asked && a.sample.direction == ray.direction && a.origin == ray.origin && a.sample.distance == distance && a.time == ray.time) return a.blocked;
+        if (a.asked && a.sample.direction == ray.direction && a.origin == ray.origin && a.sample.distance == distance && a.time == ray.time) return &a;
     }
-    return stage_.world.blocked(ray, &leaving, distance, scratch_);
+    return nullptr;
 }
 
 Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double distance, double time, ClearShadows clear) const {
@@ -81,7 +81,12 @@ Vec3 DirectLight::transmittance(const Border& border, Vec3 direction, double dis
     ray.direction = direction;
     ray.time = time;
     ++counters_.shadow;
-    if (!stage_.needs.see_through) return blocked(ray, border.leaving, distance) ? Vec3(0) : Vec3(1);
+    const ShadowAnswer* answer = known(ray, distance);
+    if (!stage_.needs.see_through) return Vec3((answer ? answer->blocked : stage_.world.blocked(ray, &border.leaving, distance, scratch_)) ? 0 : 1);
+    if (answer && !answer->blocked) {
+        ++counters_.media_stack;
+        return border.before && std::isfinite(distance) ? absorbed(border.before->absorption, distance) : Vec3(1);
+    }
     Vec3 share(1);
     Leaving leaving = border.leaving;
     const Surface* within = border.before;

@@ -26,7 +26,8 @@ inline double largest(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
 // How clear matter lets shadow rays pass: unbent (a picture without caustics), or not at all (who follows light through it himself).
 enum class ClearShadows { kLetThrough, kBlock };
 
-// A sample of a lamp at a first border, drawn before it is wanted, and whether it is blocked, if that was asked (shadows_ahead.h). Of opaque scenes only.
+// A sample of a lamp at a first border, drawn before it is wanted, and whether it is blocked, if that was asked and is known (shadows_ahead.h): among clear matter
+// only that nothing at all is in the way.
 struct ShadowAnswer {
     Vec3 origin;
     double time;
@@ -77,7 +78,8 @@ public:
     bool lamp_seen(const Ray& ray, double t_max, LightMet& met) const;
 
 private:
-    bool blocked(const Ray& ray, const Leaving& leaving, double distance) const;
+    // The answer to this very ray; null: it is not known.
+    const ShadowAnswer* known(const Ray& ray, double distance) const;
 
     const Stage& stage_;
     Scratch& scratch_;

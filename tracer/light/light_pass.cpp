@@ -85,7 +85,7 @@ std::shared_ptr<const LightPass> LightPasses::made(int index) const {
     std::vector<LightLeft> left(static_cast<std::size_t>(chunks));
     tbb::parallel_for(0, chunks, [&](int c) {
         LightWalker walker(stage_, index, rays, on_picture);
-        for (int ray = c * kChunk; ray < std::min(rays, (c + 1) * kChunk); ++ray) walker.walk(ray, left[static_cast<std::size_t>(c)]);
+        walker.walk(c * kChunk, std::min(rays, (c + 1) * kChunk), left[static_cast<std::size_t>(c)]);
     });
     std::vector<Photon> photons;
     std::vector<Splat> splats;

@@ -1,5 +1,6 @@
 #include "tracer/light/light_walk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -40,8 +41,7 @@ Sampler LightWalker::sampler_of(int ray) const {
     return {o.seed ^ kLightSeed, static_cast<int>(place >> 32), 0, static_cast<std::uint32_t>(place)};
 }
 
-void LightWalker::walk(int number, LightLeft& left) {
-    const Sampler sampler = sampler_of(number);
+LightWalker::Beam LightWalker::sent(const Sampler& sampler) const {
     const Emitted e = stage_.emission.emit(sampler.pair(Draw::kPixel).x, sampler.pair(Draw::kLight), sampler.pair(Draw::kSky));
     Beam beam;
     beam.ray.origin = e.origin;
@@ -49,14 +49,42 @@ void LightWalker::walk(int number, LightLeft& left) {
     beam.ray.time = time_of_pass(stage_, index_);
     beam.power = e.power / static_cast<double>(rays_);
     beam.first = largest(beam.power);
-    if (!(beam.first > 0) || !std::isfinite(beam.first)) return;
-    while (step(beam, sampler, left)) {}
+    return beam;
+}
+
+void LightWalker::walk(int begin, int end, LightLeft& left) {
+    for (int from = begin; from < end; from += MetTogether::kMost) walk_together(from, std::min(from + MetTogether::kMost, end), left);
+}
+
+void LightWalker::walk_together(int begin, int end, LightLeft& left) {
+    beams_.clear();
+    samplers_.clear();
+    rays_together_.clear();
+    for (int number = begin; number < end; ++number) {
+        const Sampler sampler = sampler_of(number);
+        const Beam beam = sent(sampler);
+        if (!(beam.first > 0) || !std::isfinite(beam.first)) continue;
+        beams_.push_back(beam);
+        samplers_.push_back(sampler);
+        rays_together_.push_back(beam.ray);
+    }
+    if (stage_.packets) stage_.world.meet(rays_together_.data(), static_cast<int>(beams_.size()), scratch_, met_);
+    for (std::size_t k = 0; k < beams_.size(); ++k) {
+        Beam& beam = beams_[k];
+        Border first;
+        const bool met = stage_.packets ? stage_.world.first(beam.ray, met_, static_cast<int>(k), scratch_, first) : stage_.world.next(beam.ray, nullptr, kInfinity, scratch_, first);
+        bool on = met && go_on(beam, first, samplers_[k], left);
+        while (on) on = step(beam, samplers_[k], left);
+    }
 }
 
 bool LightWalker::step(Beam& beam, const Sampler& sampler, LightLeft& left) {
     Border border;
-    if (!stage_.world.next(beam.ray, beam.departs ? &beam.leaving : nullptr, kInfinity, scratch_, border)) return false;
-    beam.departs = true;
+    return stage_.world.next(beam.ray, &beam.leaving, kInfinity, scratch_, border) && go_on(beam, border, sampler, left);
+}
+
+// From a border that it meets.
+bool LightWalker::go_on(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left) {
     beam.power *= absorbed_before(border);
     beam.leaving = border.leaving;
     beam.ray.origin = border.point;

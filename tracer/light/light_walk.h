@@ -23,13 +23,13 @@ class LightWalker {
 public:
     // Of the `rays` rays of pass `index`. With `on_picture` what they leave is drawn onto the picture too.
     LightWalker(const Stage& stage, int index, int rays, bool on_picture);
-    void walk(int ray, LightLeft& left);
+    // Rays [begin, end), which meet their first borders together.
+    void walk(int begin, int end, LightLeft& left);
 
 private:
     struct Beam {
         Ray ray;
         Leaving leaving;
-        bool departs = false;
         Vec3 power{0};
         double first = 0;  // brightness at the lamp
         Hues hues;
@@ -38,7 +38,10 @@ private:
         bool focused = false;  // met a mirror or clear matter
     };
     Sampler sampler_of(int ray) const;
+    Beam sent(const Sampler& sampler) const;
+    void walk_together(int begin, int end, LightLeft& left);
     bool step(Beam& beam, const Sampler& sampler, LightLeft& left);
+    bool go_on(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     bool scatter(Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     void leave(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
     void draw(const Beam& beam, const Border& border, const Sampler& sampler, LightLeft& left);
@@ -50,6 +53,10 @@ private:
     Scratch scratch_;
     RenderCounters counters_;
     DirectLight direct_;
+    MetTogether met_;
+    std::vector<Beam> beams_;
+    std::vector<Sampler> samplers_;
+    std::vector<Ray> rays_together_;
 };
 
 }  // namespace whittle

@@ -43,11 +43,12 @@ double meet_sphere(Vec3 centre, double radius, Vec3 origin, Vec3 direction) {
     return along + half > 0 ? along + half : kInfinity;
 }
 
-double meet_parallelogram(const LightSource& light, Vec3 origin, Vec3 direction) {
+// Infinite where t < t_max is not to be had.
+double meet_parallelogram(const LightSource& light, Vec3 origin, Vec3 direction, double t_max) {
     const double slope = glm::dot(direction, light.normal);
     if (slope == 0) return kInfinity;
     const double t = glm::dot(light.p - origin, light.normal) / slope;
-    if (!(t > 0)) return kInfinity;
+    if (!(t > 0 && t < t_max)) return kInfinity;
     const Vec3 at = origin + t * direction - light.p, w = light.normal / light.area;
     const double a = glm::dot(w, glm::cross(at, light.v)), b = glm::dot(w, glm::cross(light.u, at));
     return a >= 0 && a <= 1 && b >= 0 && b <= 1 ? t : kInfinity;
@@ -218,7 +219,7 @@ bool meet_lights(const std::vector<LightSource>& lights, Vec3 origin, Vec3 direc
             continue;
         }
         const bool sphere = light.kind == LightKind::kSphere;
-        const double t = sphere ? meet_sphere(light.p, light.radius, origin, direction) : meet_parallelogram(light, origin, direction);
+        const double t = sphere ? meet_sphere(light.p, light.radius, origin, direction) : meet_parallelogram(light, origin, direction, met.t);
         if (!(t < met.t)) continue;
         const double density = sphere ? 1 / (2 * kPi * sphere_cap(light.radius, squared(light.p - origin)))
                                       : parallelogram_density(light, origin, direction, t);

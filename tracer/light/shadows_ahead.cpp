@@ -1,5 +1,7 @@
 #include "tracer/light/shadows_ahead.h"
 
+#include <algorithm>
+
 namespace whittle {
 
 namespace {
@@ -7,11 +9,16 @@ namespace {
 // More rays a sample than this are asked as they come.
 constexpr std::size_t kMostSlots = 16;
 
-// Among clear matter shadow rays are followed, not asked; the preview has none, cones have their own.
+// The preview has none, cones have their own.
 bool asks_shadows(const Stage& stage) {
-    const bool integrates = stage.integrator == Integrator::kWhitted || stage.integrator == Integrator::kDistributed || stage.integrator == Integrator::kPath;
-    return integrates && stage.packets && stage.needs.shadows && !stage.needs.see_through && !stage.world.divided();
+    return stage.integrator >= Integrator::kWhitted && stage.integrator <= Integrator::kCaustics && stage.packets && stage.needs.shadows;
 }
+
+// Among clear matter, and where several parts are asked, only an open way is known for sure: what is met may let light through, or be hidden by other matter.
+bool knows_only_open(const Stage& stage) { return stage.needs.see_through || stage.world.divided(); }
+
+// By so much farther than the lamp is asked there, so that what ends right at it is met.
+constexpr double kBeyond = 1 + 1e-9;
 
 }  // namespace
 
@@ -58,8 +65,26 @@ void ShadowsAhead::ask_lamp(std::size_t lamp, int part, int parts, const FirstBo
         distances_[asked] = light.distance;
         owners_[asked++] = answer;
     }
-    any_hits(stage_.world.whole(), rays_.data(), distances_.data(), static_cast<int>(asked), scratch_, blocked_.data());
-    for (std::size_t i = 0; i < asked; ++i) answers_[owners_[i]].blocked = blocked_[i];
+    if (knows_only_open(stage_)) ask_parts(firsts, asked);
+    else any_hits(stage_.world.whole(), rays_.data(), distances_.data(), static_cast<int>(asked), scratch_, blocked_.data());
+    for (std::size_t i = 0; i < asked; ++i) {
+        answers_[owners_[i]].blocked = blocked_[i];
+        if (knows_only_open(stage_)) answers_[owners_[i]].asked = !blocked_[i];
+    }
+}
+
+void ShadowsAhead::ask_parts(const FirstBorder* firsts, std::size_t asked) {
+    std::fill_n(blocked_.begin(), asked, false);
+    for (std::size_t i = 0; i < asked; ++i) distances_[i] *= kBeyond;
+    for (std::size_t part = 0; part < stage_.world.part_count(); ++part) {
+        for (std::size_t i = 0; i < asked; ++i) {
+            const Leaving& left = firsts[owners_[i] / slots_].border.leaving;
+            of_part_[i] = rays_[i];
+            of_part_[i].departure = (left.parts >> part) & 1U ? &left.events[part] : nullptr;
+        }
+        any_hits(stage_.world.program(part), of_part_.data(), distances_.data(), static_cast<int>(asked), scratch_, by_part_.data());
+        for (std::size_t i = 0; i < asked; ++i) blocked_[i] = blocked_[i] || by_part_[i];
+    }
 }
 
 AnswersAhead ShadowsAhead::of(int k) const {

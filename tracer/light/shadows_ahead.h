@@ -22,6 +22,7 @@ public:
     AnswersAhead of(int k) const;
 
 private:
+    void ask_parts(const FirstBorder* firsts, std::size_t asked);
     void ask_lamp(std::size_t lamp, int part, int parts, const FirstBorder* firsts, const CameraSample* samples, int count);
 
     const Stage& stage_;
@@ -36,8 +37,9 @@ private:
     std::array<LightSample, MetTogether::kMost> lights_;
     std::array<Ray, MetTogether::kMost> rays_;
     std::array<double, MetTogether::kMost> distances_;
+    std::array<Ray, MetTogether::kMost> of_part_;
     std::array<std::size_t, MetTogether::kMost> owners_;  // by ray: its answer
-    std::array<bool, MetTogether::kMost> blocked_;
+    std::array<bool, MetTogether::kMost> blocked_, by_part_;
 };
 
 }  // namespace whittle

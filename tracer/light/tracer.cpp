@@ -42,9 +42,13 @@ CameraLight Tracer::camera_light(const Ray& ray, double height, const Sampler& s
     time_ = ray.time;
     take_pass(static_cast<int>(sampler.index()));
     ++counters_.camera;
+    if (first) return light_from(ray, height, *first);
     FirstBorder asked;
-    if (!first) asked.met = stage_.world.next(ray, nullptr, kInfinity, scratch_, asked.border);
-    const FirstBorder& known = first ? *first : asked;
+    asked.met = stage_.world.next(ray, nullptr, kInfinity, scratch_, asked.border);
+    return light_from(ray, height, asked);
+}
+
+CameraLight Tracer::light_from(const Ray& ray, double height, const FirstBorder& known) {
     if (cones()) return cone_light(ray, height, known);
     LightMet lamp;
     if (direct_.lamp_seen(ray, known.met ? known.border.t : kInfinity, lamp)) return {lamp.radiance, 1};

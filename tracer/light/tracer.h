@@ -49,6 +49,7 @@ private:
 
     Vec3 follow(const Ray& ray, const Leaving* leaving, const Branch& branch);
     ConeParts divided(const Cone& cone, const FirstBorder& first) const;
+    CameraLight light_from(const Ray& ray, double height, const FirstBorder& known);
     CameraLight cone_light(const Ray& ray, double height, const FirstBorder& first);
     Vec3 follow_cone(const Ray& ray, const Leaving* leaving, const Branch& branch, const FirstBorder& axis);
     Vec3 seen(const Ray& ray, const FirstBorder& first, const Branch& branch);

@@ -74,6 +74,7 @@ public:
     // Is anything before t_max? Asks the whole solid.
     bool blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch) const;
 
+    const Program& program(std::size_t part) const { return *parts_[part].program; }
     const Program& whole() const { return *parts_[0].program; }
     bool divided() const { return parts_.size() > 1; }
     // What the ray leaves of `whole`, the solid that this world was made of. Requires, where it is divided: know_whole() was called before.
