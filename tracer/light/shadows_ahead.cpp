@@ -61,7 +61,7 @@ void ShadowsAhead::ask_lamp(std::size_t lamp, int part, int parts, const FirstBo
         ray.origin = border.point;
         ray.direction = light.direction;
         ray.time = samples[k].ray.time;
-        ray.departure = border.leaving.parts ? &border.leaving.events[0] : nullptr;
+        ray.departure = border.leaving.event(0);
         distances_[asked] = light.distance;
         owners_[asked++] = answer;
     }
@@ -78,9 +78,8 @@ void ShadowsAhead::ask_parts(const FirstBorder* firsts, std::size_t asked) {
     for (std::size_t i = 0; i < asked; ++i) distances_[i] *= kBeyond;
     for (std::size_t part = 0; part < stage_.world.part_count(); ++part) {
         for (std::size_t i = 0; i < asked; ++i) {
-            const Leaving& left = firsts[owners_[i] / slots_].border.leaving;
             of_part_[i] = rays_[i];
-            of_part_[i].departure = (left.parts >> part) & 1U ? &left.events[part] : nullptr;
+            of_part_[i].departure = firsts[owners_[i] / slots_].border.leaving.event(part);
         }
         any_hits(stage_.world.program(part), of_part_.data(), distances_.data(), static_cast<int>(asked), scratch_, by_part_.data());
         for (std::size_t i = 0; i < asked; ++i) blocked_[i] = blocked_[i] || by_part_[i];

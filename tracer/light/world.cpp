@@ -117,12 +117,12 @@ void World::know_whole(const Program& whole) {
 }
 
 Departure World::departure_from_whole(const Leaving& leaving) const {
-    if (!divided()) return leaving.events[0];
+    if (!divided()) return leaving.event(0) ? *leaving.event(0) : Departure{};
     Departure all;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-        if (((leaving.parts >> k) & 1U) == 0) continue;
-        for (int i = 0; i < leaving.events[k].count; ++i) {
-            const ClassId id = parts_[k].in_whole[leaving.events[k].classes[static_cast<std::size_t>(i)]];
+        const Departure* left = leaving.event(k);
+        for (int i = 0; left && i < left->count; ++i) {
+            const ClassId id = parts_[k].in_whole[left->classes[static_cast<std::size_t>(i)]];
             const auto end = all.classes.begin() + all.count;
             if (id != kNoClass && end != all.classes.end() && std::find(all.classes.begin(), end, id) == end) all.classes[static_cast<std::size_t>(all.count++)] = id;
         }
@@ -139,7 +139,7 @@ int World::owner(std::uint32_t inside) const {
 bool World::next(const Ray& ray, const Leaving* leaving, double t_max, Scratch& scratch, Border& border) const {
     if (divided()) return next_of_all(ray, leaving, t_max, scratch, border);
     Ray asked = ray;
-    asked.departure = leaving && leaving->parts ? &leaving->events[0] : nullptr;
+    asked.departure = leaving ? leaving->event(0) : nullptr;
     Hit hit;
     if (!first_hit(*parts_[0].program, asked, t_max, scratch, hit)) return false;
     border_of(ray, hit, border);
@@ -161,7 +161,7 @@ bool World::first(const Ray& ray, const MetTogether& met, int k, Scratch& scratc
     Meeting meeting;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         if (!met.parts[part].found[at]) continue;
-        meeting.hits[part] = met.parts[part].hits[at];
+        meeting.room[part].value = met.parts[part].hits[at];
         meeting.add(part);
     }
     return next_of_meeting(ray, meeting, kInfinity, scratch, border);
@@ -176,14 +176,14 @@ void World::border_of(const Ray& ray, const Hit& hit, Border& border) const {
     border.before = hit.from_inside ? &surface : nullptr;
     border.after = hit.from_inside ? nullptr : &surface;
     border.certified = hit.end.certified;
-    border.leaving.events[0] = hit.departure;
-    border.leaving.parts = 1;
+    border.leaving.parts = 0;
+    border.leaving.add(0, hit.departure);
 }
 
 void World::Meeting::add(std::size_t part) {
     met |= 1U << part;
-    if (hits[part].from_inside) inside |= 1U << part;
-    if (nearest == kMostParts || hits[part].end.t < hits[nearest].end.t) nearest = part;
+    if (hit(part).from_inside) inside |= 1U << part;
+    if (nearest == kMostParts || hit(part).end.t < hit(nearest).end.t) nearest = part;
 }
 
 void World::ask_all(const Ray& ray, const Leaving& left, Scratch& scratch, Meeting& meeting) const {
@@ -192,13 +192,12 @@ void World::ask_all(const Ray& ray, const Leaving& left, Scratch& scratch, Meeti
     meeting.nearest = kMostParts;
     const SlabRay slab = slab_ray({ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z});
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-        const bool leaves = ((left.parts >> k) & 1U) != 0;
-        if (!leaves && misses(*parts_[k].program, slab)) {
+        asked.departure = left.event(k);
+        if (!asked.departure && misses(*parts_[k].program, slab)) {
             ++scratch.counters.skipped_by(EnginePass::kBoxes);
             continue;
         }
-        asked.departure = leaves ? &left.events[k] : nullptr;
-        if (first_hit(*parts_[k].program, asked, kInfinity, scratch, meeting.hits[k])) meeting.add(k);
+        if (first_hit(*parts_[k].program, asked, kInfinity, scratch, meeting.room[k].value)) meeting.add(k);
     }
 }
 
@@ -213,20 +212,16 @@ bool World::next_of_meeting(const Ray& ray, Meeting& meeting, double t_max, Scra
     Ray asked = ray;
     double passed = 0;
     for (int hidden = 0; hidden < kMostHidden; ++hidden) {
-        const std::array<Hit, kMostParts>& hits = meeting.hits;
-        if (meeting.nearest == kMostParts || passed + hits[meeting.nearest].end.t > t_max) return false;
-        const End& first = hits[meeting.nearest].end;
-        std::uint32_t tied = 0;
-        Leaving left;
+        if (meeting.nearest == kMostParts || passed + meeting.hit(meeting.nearest).end.t > t_max) return false;
+        const End& first = meeting.hit(meeting.nearest).end;
+        Leaving& left = border.leaving;
+        left.parts = 0;
         for (std::size_t k = 0; k < parts_.size(); ++k)
-            if (((meeting.met >> k) & 1U) && hits[k].end.t - first.t <= hits[k].end.t_error + first.t_error + tie_) {
-                tied |= 1U << k;
-                left.events[k] = hits[k].departure;
-            }
-        left.parts = tied;
+            if (((meeting.met >> k) & 1U) && meeting.hit(k).end.t - first.t <= meeting.hit(k).end.t_error + first.t_error + tie_) left.add(k, meeting.hit(k).departure);
+        const std::uint32_t tied = left.parts;
         const int before = owner(meeting.inside), after = owner(meeting.inside ^ tied);
         passed += first.t;
-        asked.origin = hits[meeting.nearest].point;
+        asked.origin = meeting.hit(meeting.nearest).point;
         if (before == after) {
             ask_all(asked, left, scratch, meeting);
             continue;
@@ -234,15 +229,14 @@ bool World::next_of_meeting(const Ray& ray, Meeting& meeting, double t_max, Scra
         // The face is shown by the part that begins, else by the one that ends. What is opaque and was there before shows its own matter.
         const int shown = after >= 0 && ((tied >> after) & 1U) ? after : before;
         const int looks = after >= 0 ? after : before;
-        const End& face = hits[static_cast<std::size_t>(shown)].end;
+        const End& face = meeting.hit(static_cast<std::size_t>(shown)).end;
         border.t = border.travelled = passed;
         border.point = asked.origin;
         border.normal = glm::dot(face.normal, ray.direction) > 0 ? -face.normal : face.normal;
-        border.surface = &parts_[static_cast<std::size_t>(looks)].look(hits[static_cast<std::size_t>(looks)].end);
+        border.surface = &parts_[static_cast<std::size_t>(looks)].look(meeting.hit(static_cast<std::size_t>(looks)).end);
         border.before = before >= 0 ? &parts_[static_cast<std::size_t>(before)].matter : nullptr;
         border.after = after >= 0 ? &parts_[static_cast<std::size_t>(after)].matter : nullptr;
         border.certified = face.certified;
-        border.leaving = left;
         return true;
     }
     return false;
@@ -254,7 +248,7 @@ bool World::blocked(const Ray& ray, const Leaving* leaving, double t_max, Scratc
         return next_of_all(ray, leaving, t_max, scratch, border);
     }
     Ray asked = ray;
-    asked.departure = leaving && leaving->parts ? &leaving->events[0] : nullptr;
+    asked.departure = leaving ? leaving->event(0) : nullptr;
     return any_hit(*parts_[0].program, asked, t_max, scratch);
 }
 
