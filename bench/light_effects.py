@@ -4,8 +4,9 @@
 Every scene of FOLDER (bench/light) is exported by `whittle -o x.pov` and drawn at 160 x 120 pixels by one thread. Both programs are asked at rising quality, by turns;
 a time is the least user time of the rounds less that of a picture of 4 x 3 pixels; an error is the root mean square difference of linear colour, clipped at
 white, from what the same program converges to. POV-Ray has its choice: supersampling (+AM1), adaptive supersampling (+AM2), several grids of an area lamp, blur
-samples, photons; of its settings those count that no other beats in time and error. Whittle takes the integrator named here, with the noise limit that it
-takes by itself; caustics are drawn twice, by Whitted's tree with photons, which is what POV-Ray does, and by paths from the eye and the lamp, which also follow
+samples, photons. Whittle has the integrator named here, samples, photons, and the noise at which a pixel is good enough (--noise, its counterpart of +A). Of both
+programs' settings those count that no other beats in time and error. Both weigh a pixel's samples alike, by a box (--filter box), as POV-Ray always does. What they
+converge to has no sample in common with what is measured: more and other places in a pixel, a finer grid of lamps, more photons. Caustics are drawn twice, by Whitted's tree with photons, which is what POV-Ray does, and by paths from the eye and the lamp, which also follow
 light between dull surfaces. The table compares both at three errors: those of POV-Ray's settings a third and two thirds along its own line and at its end.
 """
 import array, itertools, math, os, re, resource, struct, subprocess, sys, tempfile, zlib
@@ -13,7 +14,7 @@ import array, itertools, math, os, re, resource, struct, subprocess, sys, tempfi
 WIDTH, HEIGHT = 160, 120
 # Effect and integrator; the effect is a scene's name.
 EFFECTS = [('reflection', 'whitted'), ('refraction', 'whitted'), ('soft_shadow', 'distributed'), ('photons', 'whitted'), ('photons', 'caustics'), ('focal_blur', 'distributed')]
-MOST_SAMPLES = {'refraction': 64}
+MOST_SAMPLES = {'refraction': 64, 'photons': 64}
 
 def cpu(words):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -73,26 +74,29 @@ def rms(a, b):
 class Whittle:
     # Reads the scene and little else.
     idle = (1, ['--integrator', 'whitted'])
+    noises = (0.2, 0.1, 0.05, 0.03, 0.02, 0.01, 0.005)
     def __init__(self, program, scene, folder, integrator):
         self.words, self.folder = [program, scene, '--integrator', integrator, '--threads', '1', '-q'], folder
     def draw(self, setting, size=(WIDTH, HEIGHT)):
         samples, more = setting
-        words = self.words + ['--samples', str(samples), '--imgsize', f'{size[0]},{size[1]}', *more, '-o']
+        words = self.words + ['--samples', str(samples), '--imgsize', f'{size[0]},{size[1]}', '--filter', 'box', *more, '-o']
         picture = os.path.join(self.folder, 'w.exr')
         cpu(words + [picture])
         # The time is that of a PNG: loading the module that writes EXR takes longer than some of these pictures.
         return cpu(words + [os.path.join(self.folder, 'w.png')]), picture
     def settings(self, name):
         photons = (10000, 40000, 100000, 400000) if name == 'photons' and 'whitted' in self.words else (0,)
+        most = MOST_SAMPLES.get(name, 256)
         for count in photons:
-            samples = 1
-            while samples <= (16 if count else MOST_SAMPLES.get(name, 256)):
-                yield f'{samples} samples' + (f', {count} photons' if count else ''), (samples, ['--photons', str(count)] if count else [])
-                samples *= 4
+            also, more = (f', {count} photons', ['--photons', str(count)]) if count else ('', [])
+            for samples in (n for n in (1, 4, 16, 64, 256) if n <= (16 if count else most)):
+                yield f'{samples} samples{also}', (samples, ['--noise', '0', *more])
+            for noise in () if 'caustics' in self.words else self.noises:
+                yield f'noise {noise}{also}', (most, ['--noise', str(noise), *more])
     def truth(self, name):
         if name == 'photons' and 'whitted' in self.words:
-            return self.draw((64, ['--photons', '4000000']))[1]
-        return self.draw((4 * MOST_SAMPLES.get(name, 256), []))[1]
+            return self.draw((256, ['--photons', '4000000', '--noise', '0']))[1]
+        return self.draw((4 * MOST_SAMPLES.get(name, 256), ['--noise', '0']))[1]
 
 class PovRay:
     idle = (lambda text: text, ['-A'])
@@ -125,7 +129,7 @@ class PovRay:
     def truth(self, name):
         best = ['+A0.0', '+AM1', '+R10', '-J']
         edit = {'focal_blur': blur(2048), 'soft_shadow': lamp_grid(17), 'photons': photons(4000000)}.get(name, lambda text: text)
-        return self.draw((edit, ['-A'] if name == 'focal_blur' else best if name in ('reflection', 'refraction') else best[:2] + ['+R4', '-J']))[1]
+        return self.draw((edit, ['-A'] if name == 'focal_blur' else best))[1]
 
 def blur(samples):
     return lambda text: re.sub(r'blur_samples \d+', f'blur_samples {samples}', text)
