@@ -61,6 +61,12 @@ bool names_look(const LeafUse& use) {
     return m.preset || m.roughness || m.metal || m.transmission;
 }
 
+// The leaf's box as wide as it would be at the origin: whoever aims by it is off by the placement's own rounding only.
+Bounds without_room(const FormulaNode& n) {
+    const Bounds less{n.box.lo + n.room, n.box.hi - n.room};
+    return less.empty() ? n.box : less;
+}
+
 // Vectors that grew hold up to twice what they need.
 void shrink(Program& program) {
     if (std::none_of(program.balls.begin(), program.balls.end(), [](const ItemBall& b) { return b.r > 0; })) program.balls.clear();
@@ -122,7 +128,7 @@ private:
         if (n.kind == FormulaKind::kCell) add_cell(n, leaf);
         program_.leaves.push_back(leaf);
         program_.leaf_boxes.push_back(outward(n.box));
-        if (keeps_bounds_) program_.leaf_bounds.push_back(n.box);
+        if (keeps_bounds_) program_.leaf_bounds.push_back(without_room(n));
         return Ref::leaf(static_cast<std::uint32_t>(program_.leaves.size() - 1));
     }
 

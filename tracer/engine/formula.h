@@ -86,6 +86,7 @@ struct FormulaNode {
     bool exact = true;           // leaves only; false: it stands for a curved surface, within a tolerance
     bool outside_value = false;  // its value everywhere outside `box`
     Bounds box;                  // may be unbounded
+    double room = 0;             // leaves only: so much of the box, on every side, is there because the placement is rounded far from the origin
     std::uint32_t use = 0;       // leaves only
     std::vector<FormulaId> children;
     std::vector<HalfSpaceRef> half_spaces;  // kCell: inside all of them

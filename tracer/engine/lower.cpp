@@ -169,6 +169,7 @@ FormulaNode FormulaBuilder::leaf(FormulaKind kind, const Bounds& box, const Site
     n.negated = n.outside_value = site.negated;
     n.exact = site.exact;
     n.box = box;
+    n.room = kBoxRoom * site.chain.rounding_for(0);
     n.use = site.use;
     return n;
 }

@@ -162,10 +162,10 @@ Placer::Placer(Formula& formula, const Chain& chain, MotionId motion, const Boun
     const bool finite = std::isfinite(box.lo.x + box.lo.y + box.lo.z + box.hi.x + box.hi.y + box.hi.z);
     if (finite) {
         const Bounds placed = placed_bounds(box, whole);
-        root_box_ = swept_bounds(formula.motions, motion, section ? box_of_section(*section, placed, 4 * rounding_) : placed);
+        root_box_ = swept_bounds(formula.motions, motion, section ? box_of_section(*section, placed, kBoxRoom * rounding_) : placed);
         // What moves is placed once more for every time, with a few dozen roundings.
         constexpr double kRoundingOfPath = 0x1p-46;
-        const double room = 4 * rounding_ + (motion == 0 ? 0 : kRoundingOfPath * (glm::length(root_box_.lo) + glm::length(root_box_.hi)));
+        const double room = kBoxRoom * rounding_ + (motion == 0 ? 0 : kRoundingOfPath * (glm::length(root_box_.lo) + glm::length(root_box_.hi)));
         root_box_.lo -= room;
         root_box_.hi += room;
     }

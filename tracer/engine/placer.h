@@ -12,6 +12,9 @@ namespace whittle {
 // kRigid: also even scales by powers of two. kExact: what rounds nothing, so powers of two on each axis and no shift.
 enum class Absorb { kAny, kUniformScale, kRigid, kExact, kNothing };
 
+// Boxes are wider by so many times what their placements may be rounded by.
+inline constexpr double kBoxRoom = 4;
+
 class Placer {
 public:
     // `box`: the shape's, in its own coordinates. `twist`: that of the frame; goes with kNothing.

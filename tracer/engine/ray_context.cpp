@@ -131,6 +131,7 @@ void RayContext::curved_crossings(ClassId id, const Support& s, Crossings& out) 
     if (!has_polynomial(s.kind)) return shared_crossings(id, s, out);
     const FrameRay& local = frame_ray(s.frame);
     const bool decided = leaves(id) ? filtered_departure(s, local, out) : filtered_crossings(s, local, out);
+    counters_->skipped_by(EnginePass::kFilter) += decided && filter_;
     if (decided || !kCertifies) return;
     ++counters_->escalated_double_double;
     if (!fine_crossings(s, frame(s.frame), ray_, leaves(id), out) && !mutated(Mutation::kNoExactTier)) out = exact(id).crossings;
@@ -160,7 +161,10 @@ void RayContext::find_turned(ClassId id, const Support& s, Crossings& out) {
         piece.stamp = stamp_;
         piece.in_double = turned_series(*frame(s.frame).twist, local, piece.series);
     }
-    if (piece.in_double && series_crossings(s, *frame(s.frame).twist, piece.series, frame_ray(s.frame), leaves(id), out)) return;
+    if (piece.in_double && series_crossings(s, *frame(s.frame).twist, piece.series, frame_ray(s.frame), leaves(id), out)) {
+        counters_->skipped_by(EnginePass::kFilter) += filter_;
+        return;
+    }
     ++counters_->escalated_double_double;
     if (fine_turned(s, frame(s.frame), ray_, leaves(id), out) || mutated(Mutation::kNoExactTier)) return;
     if (!is_transcendental(id)) {
@@ -184,6 +188,7 @@ bool RayContext::crossings(const ItemBall& ball, Crossings& out) {
     out.t = {c.t0, c.t1, 0, 0};
     out.error = {c.error0, c.error1, 0, 0};
     if (mutated(Mutation::kNoBounds)) out.error = {};
+    counters_->skipped_by(EnginePass::kFilter) += (c.met || c.missed) && filter_;
     return c.met || c.missed;
 }
 

@@ -121,6 +121,7 @@ public:
     bool unsettled(ClassId id) const { return std::find(unsettled_.begin(), unsettled_.end(), id) != unsettled_.end(); }
 
     EngineCounters& counters() { return *counters_; }
+    bool filters() const { return filter_; }  // may double decide where its bounds allow?
     FacetSearch& facet_search() { return facet_search_; }
 
 private:

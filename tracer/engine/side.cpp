@@ -13,6 +13,14 @@ namespace {
 using exact::Nudged;
 constexpr double u = kUnitRoundoff;
 
+// The sign of what is s within the bound; 0 where double does not tell, or is not to be asked (EnginePass::kFilter).
+int sign_in_double(RayContext& context, double s, double bound) {
+    if (!context.filters() && kCertifies) return 0;
+    const int sign = (s > bound) - (s < -bound);
+    context.counters().skipped_by(EnginePass::kFilter) += sign != 0;
+    return sign;
+}
+
 // The sign of an expression of the ray's line in the frame: in double-double, then exactly.
 template <class Expression>
 int sign_of(RayContext& context, FrameId frame, const Expression& expression) {
@@ -39,8 +47,7 @@ int side_of_point(RayContext& context, FrameId frame, int axis, Vec2 point) {
     const double ex = u * std::abs(x) + r.eo[i], ey = u * std::abs(y) + r.eo[j];
     const double bound = !kCertifies ? 0 : (std::abs(r.d[i]) * ey + r.ed[i] * (std::abs(y) + ey) + std::abs(r.d[j]) * ex + r.ed[j] * (std::abs(x) + ex) +
                           3 * u * (std::abs(a) + std::abs(b))) * (1 + 16 * u);
-    if (s > bound) return 1;
-    if (s < -bound) return -1;
+    if (const int sign = sign_in_double(context, s, bound)) return sign;
     return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) {
         return line.d[i] * (line.w * N(point.y) - line.o[j]) - line.d[j] * (line.w * N(point.x) - line.o[i]);
     });
@@ -67,8 +74,7 @@ int side_of_edge(RayContext& context, FrameId frame, const Vec3& a, const Vec3& 
         bound += std::abs(r.d[i]) * ecross + r.ed[i] * (size + ecross) + 4 * u * std::abs(term);
     }
     bound *= kCertifies ? 1 + 32 * u : 0;
-    if (s > bound) return 1;
-    if (s < -bound) return -1;
+    if (const int sign = sign_in_double(context, s, bound)) return sign;
     return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N sum) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -85,8 +91,7 @@ int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
     const double x = b.x - a.x, y = b.y - a.y, ou = r.o[i] - a.x, ov = r.o[j] - a.y;
     const double left = x * ov, right = y * ou, s = left - right;
     const double bound = !kCertifies ? 0 : (std::abs(x) * r.eo[j] + std::abs(y) * r.eo[i] + 5 * u * (std::abs(left) + std::abs(right))) * (1 + 16 * u);
-    if (s > bound) return 1;
-    if (s < -bound) return -1;
+    if (const int sign = sign_in_double(context, s, bound)) return sign;
     return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) {
         return (N(b.x) - N(a.x)) * (line.o[j] - line.w * N(a.y)) - (N(b.y) - N(a.y)) * (line.o[i] - line.w * N(a.x));
     });
@@ -95,8 +100,7 @@ int side_of_line(RayContext& context, FrameId frame, int axis, Vec2 a, Vec2 b) {
 int height_against(RayContext& context, FrameId frame, int axis, double y) {
     const FrameRay& r = context.frame_ray(frame);
     const double h = r.o[next(axis, 2)] - y, bound = !kCertifies ? 0 : (r.eo[next(axis, 2)] + u * std::abs(h)) * (1 + 16 * u);
-    if (h > bound) return 1;
-    if (h < -bound) return -1;
+    if (const int sign = sign_in_double(context, h, bound)) return sign;
     return sign_of(context, frame, [&]<class N>(const FrameLine<N>& line, N) { return line.o[next(axis, 2)] - line.w * N(y); });
 }
 
